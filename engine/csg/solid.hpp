@@ -1,0 +1,80 @@
+// The built scene's objects: a leaf (one shape with what it looks like) or a combination of solids (CSG), in world space.
+// Source: specification chapter 20 §2, §3, §6, §7.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/shape/shape.hpp"
+
+namespace lute {
+
+struct CompiledTexture;  // engine/texture/compiled_texture.hpp
+struct BuiltInterior;    // engine/build/built_scene.hpp
+class Solid;
+class CsgSolid;
+
+// Which rays see an object (chapter 40 §2). A ray carries the set of kinds that apply to it.
+struct RayKind {
+  bool primary = true;
+  bool reflected = false;
+  bool refracted = false;
+  bool shadow = false;
+  bool radiosity = false;
+  bool photon = false;
+};
+
+struct Visibility {
+  bool no_image = false, no_reflection = false, no_radiosity = false, no_shadow = false;
+  bool visible_to(RayKind kind) const;
+};
+
+// A texture in the built scene: `placement` carries the world point into the space that the texture was written in.
+struct PlacedTexture {
+  const CompiledTexture* texture = nullptr;
+  Transform placement;
+};
+
+// One shape of the built scene and what it looks like.
+struct Leaf {
+  std::unique_ptr<Shape> shape;
+  bool inverted = false;
+  bool uv_mapping = false;
+  bool double_illuminate = false;
+  bool opaque = false;                       // no texture of it lets light through: a shadow ray ends here
+  PlacedTexture texture, interior_texture;   // texture null: taken from the cutaway parent, or black
+  std::vector<PlacedTexture> part_textures;  // what TextureWeight::index selects
+  BuiltInterior* interior = nullptr;         // shared by the parts of a CSG
+  int light_group = -1;                      // index into the built scene's groups; -1: none
+  bool global_lights = true;
+};
+
+struct Hit {
+  double t = 0;
+  dvec3 point{0};
+  ShapeHit shape_hit;
+  const Leaf* leaf = nullptr;
+  const CsgSolid* cutaway = nullptr;  // the outermost CSG that marks the hit, for cutaway_textures; else null
+};
+using Hits = std::vector<Hit>;
+
+class Solid {
+ public:
+  virtual ~Solid() = default;
+
+  // All hits with depth in `range` that survive clips, bounds and CSG, in the order in which ties are decided (last wins).
+  virtual void hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const = 0;
+  virtual bool nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) const;
+  virtual bool any(const Ray& ray, Interval range, RayKind kind) const;
+
+  virtual bool inside(const dvec3& point) const = 0;        // inside test including own clips
+  virtual bool plain_inside(const dvec3& point) const = 0;  // without own clips: camera containment, cutaway
+  virtual void leaves(std::vector<const Leaf*>& out) const = 0;
+
+  Visibility visibility;
+  bool opaque = false;  // every leaf is opaque
+  Aabb box;             // bounds after CSG rules, clips and bounded_by
+};
+
+}  // namespace lute

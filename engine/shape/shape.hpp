@@ -1,0 +1,89 @@
+// The interface of a compiled primitive: what the renderer asks of a shape. Everything is in world space; a shape keeps its own
+// transformation and, where the reference does, measures its tolerances in its own space (specification chapter 20 §2, §9).
+//
+// To add a primitive, write `engine/shape/<name>.{hpp,cpp}` with
+//   * a plain struct, its description as the scene file says it, with `static constexpr std::string_view kKeyword`;
+//   * `std::unique_ptr<Shape> build(const Name&, const Transform& to_world, BuildContext&)`;
+// and its line in `engine/shape/table.hpp`. See sphere.hpp for a small one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "engine/math/aabb.hpp"
+#include "engine/math/interval.hpp"
+#include "engine/math/ray.hpp"
+#include "engine/math/transform.hpp"
+
+namespace lute {
+
+// One crossing of a ray with a shape's surface. `part` and `data` belong to the shape that made it: whatever its normal() needs
+// (a face number, barycentric coordinates, a recorded normal). Normals are computed for the hit that survives only.
+struct ShapeHit {
+  double t = 0;  // world depth along the ray's unit direction
+  std::uint32_t part = 0;
+  std::array<double, 3> data{};
+};
+
+// Hits in the order in which the shape finds them: of several at exactly equal depth the last one wins (chapter 20 §2.2).
+using ShapeHits = std::vector<ShapeHit>;
+
+// A share of the surface's colour: texture `index` of the description's own textures (mesh triangles, blob components).
+struct TextureWeight {
+  std::uint32_t index = 0;  // kObjectTexture: the texture of the object
+  float weight = 1;
+  static constexpr std::uint32_t kObjectTexture = 0xFFFFFFFF;
+};
+
+class Shape {
+ public:
+  virtual ~Shape() = default;
+
+  // Closed box around the whole surface and, for solids, the inside. May be infinite.
+  virtual Aabb bounds() const = 0;
+
+  // Appends all hits with depth in `range`, and above the shape's own tolerance.
+  virtual void hits(const Ray& ray, Interval range, ShapeHits& out) const = 0;
+
+  // The nearest hit in `range`, or false. The default takes it from hits().
+  virtual bool nearest(const Ray& ray, Interval range, ShapeHit& hit) const;
+
+  // True if anything is hit in `range`: a shadow test. The default asks nearest().
+  virtual bool any(const Ray& ray, Interval range) const;
+
+  // The reference's inside test, with its tolerance, for the shape as written (not inverted). Patches have no inside.
+  virtual bool inside(const dvec3& point) const = 0;
+  virtual bool is_patch() const { return false; }
+
+  // Inside test of the shape with `inverse`; differs from !inside() where the surface counts as outside of both (sphere) or
+  // inside of both (plane).
+  virtual bool inside_inverted(const dvec3& point) const { return !inside(point); }
+
+  // Raw outward unit normal at a hit (not turned toward the ray, not negated for `inverse`).
+  virtual dvec3 normal(const ShapeHit& hit, const dvec3& point) const = 0;
+
+  // Surface coordinates for uv_mapping. Default: x and y of the world point (chapter 20 §3).
+  virtual dvec2 uv(const ShapeHit& hit, const dvec3& point) const;
+
+  // Appends the textures that share the point. The default: the object's texture, weight 1.
+  virtual void textures(const ShapeHit& hit, const dvec3& point, std::vector<TextureWeight>& out) const;
+
+  // False for shapes that the reference tests without their own bounding box (sphere, box, plane, poly family).
+  virtual bool tests_own_box() const { return true; }
+};
+
+// What building a shape may need besides its description: caches shared by all copies of one description in a scene.
+class BuildContext {
+ public:
+  virtual ~BuildContext() = default;
+
+  // A compiled form shared by every copy of one description (for example the tree of a mesh). `key` is the address of the shared
+  // data. Returns null when nothing is stored yet.
+  virtual std::shared_ptr<const void> find_shared(const void* key) const = 0;
+  virtual void store_shared(const void* key, std::shared_ptr<const void> value) = 0;
+};
+
+}  // namespace lute

@@ -1,0 +1,48 @@
+// User functions: `function(x, y, z) { ... }`. A function is immutable once made and may be evaluated from any thread.
+// Results: 1 for a float function; 2 to 5 for spline, transform (3) and pigment (5: r, g, b, filter, transmit) functions.
+// Source: specification chapters 10 §11 and 21 §11.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "engine/math/vec.hpp"
+#include "engine/scene/texture.hpp"
+
+namespace lute {
+
+class Function {
+ public:
+  virtual ~Function() = default;
+
+  int parameter_count() const { return parameters_; }
+  int result_count() const { return results_; }
+  bool is_vector() const { return results_ > 1; }
+
+  // `arguments` has parameter_count() values, `results` room for result_count(). Never throws; domain problems are NaN.
+  virtual void evaluate(const double* arguments, double* results) const = 0;
+
+  double at(const dvec3& p) const {  // of a float function of (x, y, z)
+    const double arguments[3] = {p.x, p.y, p.z};
+    double result = 0;
+    evaluate(arguments, &result);
+    return result;
+  }
+
+ protected:
+  Function(int parameters, int results) : parameters_(parameters), results_(results) {}
+
+ private:
+  int parameters_, results_;
+};
+using FunctionPtr = std::shared_ptr<const Function>;
+
+// Makes functions out of pigments and patterns; engine/texture implements it, the application hands it to the parser.
+class TextureFunctions {
+ public:
+  virtual ~TextureFunctions() = default;
+  virtual FunctionPtr pigment_function(const PigmentPtr& pigment, int noise_generator) = 0;       // 3 parameters, 5 results
+  virtual FunctionPtr pattern_function(const PatternBody& pattern, int noise_generator) = 0;      // 3 parameters, 1 result
+};
+
+}  // namespace lute

@@ -1,0 +1,62 @@
+// The parser's entry: scene text in, scene description and diagnostics out.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/function/function.hpp"
+#include "engine/scene/geometry_query.hpp"
+#include "engine/scene/scene.hpp"
+#include "parser/diagnostic/diagnostic.hpp"
+
+namespace lute {
+
+// Animation values as the scene sees them (specification chapter 10 §12.3); all zero for a still image.
+struct FrameValues {
+  int frame_number = 0, initial_frame = 0, final_frame = 0;
+  double initial_clock = 0, final_clock = 0, clock_delta = 0;
+};
+
+struct ParseLimits {
+  std::size_t nesting = 200;                    // parentheses, vectors and calls inside one expression
+  std::uint64_t loop_turns = 4'000'000'000ull;  // of all loops together
+  std::uint64_t memory_bytes = 0;               // 0: no limit; checked at allocations that a scene controls
+  std::uint64_t file_bytes = 0xFFFF'FFF0ull;    // of one file: offsets are 32 bits
+};
+
+struct ParseOptions {
+  std::string input_file;                 // path as given; shown in messages
+  std::optional<std::string> input_text;  // used in place of the file's content
+  std::vector<std::string> library_paths;
+  std::vector<std::pair<std::string, std::string>> declares;  // Declare=NAME=value; a value in quotes is a string
+  double clock = 0;
+  bool clock_on = false;
+  FrameValues frame;
+  int width = 320, height = 240;
+  std::optional<int> version;             // Version= option, times 100
+  std::string include_header;             // "" or a file that is included before the scene
+  ParseLimits limits;
+
+  GeometryQuery* geometry = nullptr;            // answers trace, inside, min_extent, max_extent
+  TextureFunctions* texture_functions = nullptr;  // makes functions of pigments and patterns
+  std::function<void(const Diagnostic&)> on_diagnostic;  // as they come
+  std::function<void(std::string_view)> on_debug;        // #debug: complete lines
+};
+
+struct ParseResult {
+  bool ok = false;  // false: the last diagnostic is the fatal error
+  Scene scene;
+  std::vector<Diagnostic> diagnostics;
+};
+
+ParseResult parse_scene(const ParseOptions& options);
+
+// The token stream of a file as text, one token a line: `line:column kind text`. For --dump-tokens.
+std::string dump_tokens(const std::string& file_name, std::string_view text);
+
+}  // namespace lute

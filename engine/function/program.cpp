@@ -1,0 +1,228 @@
+#include "engine/function/program.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace lute {
+
+void Program::evaluate(const double* arguments, double* results) const {
+  constexpr std::size_t kOnStack = 128;
+  std::array<double, kOnStack> fixed;  // not initialised: every register is written before it is read
+  std::vector<double> large;
+  double* r = fixed.data();
+  if (register_count_ > kOnStack) {
+    large.resize(register_count_);
+    r = large.data();
+  }
+  std::copy_n(arguments, parameter_count(), r);
+  std::copy(constants_.begin(), constants_.end(), r + parameter_count());
+
+  const std::size_t end = code_.size();
+  for (std::size_t pc = 0; pc < end;) {
+    const Instruction& i = code_[pc++];
+    switch (i.op) {
+      case Op::kUnary: r[i.target] = apply(static_cast<UnaryOp>(i.detail), r[i.a]); break;
+      case Op::kBinary: r[i.target] = apply(static_cast<BinaryOp>(i.detail), r[i.a], r[i.b]); break;
+      case Op::kMove: r[i.target] = r[i.a]; break;
+      case Op::kCall: {
+        double out[5];  // no function has more results
+        callees_[i.b]->evaluate(r + i.a, out);
+        r[i.target] = out[i.detail];
+        break;
+      }
+      case Op::kJump: pc = i.jump; break;
+      case Op::kJumpUnlessNegative: if (!(r[i.a] < 0)) pc = i.jump; break;
+      case Op::kJumpUnlessZero: if (!(r[i.a] == 0)) pc = i.jump; break;
+      case Op::kJumpUnlessLessEqual: if (!(r[i.a] <= r[i.b])) pc = i.jump; break;
+    }
+  }
+  results[0] = r[result_];
+}
+
+// Turns the expression into code. A node computed outside a branch or loop is known inside it, not the other way round: the
+// registers learnt inside are forgotten at its end.
+class ProgramEmitter {
+ public:
+  ProgramEmitter(const ExpressionBuilder& builder, int parameter_count) : builder_(builder), program_(parameter_count) {
+    program_.callees_ = builder.callees_;
+    for (ExpressionBuilder::Node n = 0; n < builder.nodes_.size(); ++n)
+      if (builder.nodes_[n].kind == Kind::kConstant) constant_register(builder.nodes_[n].value);
+    reciprocals();
+    next_register_ = static_cast<std::size_t>(parameter_count) + program_.constants_.size();
+  }
+
+  Program emit(ExpressionBuilder::Node root) {
+    program_.result_ = node(root);
+    program_.register_count_ = next_register_;
+    return std::move(program_);
+  }
+
+ private:
+  using Kind = ExpressionBuilder::Kind;
+  using Op = Program::Op;
+  using Node = ExpressionBuilder::Node;
+  using Register = std::uint16_t;
+
+  // Division by a constant is a multiplication by its reciprocal, small powers are multiplications (chapter 10 §11.3).
+  void reciprocals() {
+    for (const auto& data : builder_.nodes_)
+      if (double c = 0; data.kind == Kind::kBinary && static_cast<BinaryOp>(data.detail) == BinaryOp::kDivide &&
+                        builder_.is_constant(data.inputs[1], &c))
+        constant_register(1.0 / c);
+    constant_register(0);
+    constant_register(1);
+  }
+
+  Register constant_register(double value) {
+    auto& constants = program_.constants_;
+    const auto same = [&](double c) { return std::bit_cast<std::uint64_t>(c) == std::bit_cast<std::uint64_t>(value); };
+    auto it = std::find_if(constants.begin(), constants.end(), same);
+    if (it == constants.end()) it = constants.insert(constants.end(), value);
+    return static_cast<Register>(program_.parameter_count() + (it - constants.begin()));
+  }
+
+  Register new_register() {
+    if (next_register_ >= 65535) throw std::length_error("function needs more than 65535 intermediate values");
+    return static_cast<Register>(next_register_++);
+  }
+
+  Register push(Op op, std::uint8_t detail, Register a, Register b = 0) {
+    const Register target = new_register();
+    program_.code_.push_back({op, detail, target, a, b, 0});
+    return target;
+  }
+  void move(Register target, Register source) { program_.code_.push_back({Op::kMove, 0, target, source, 0, 0}); }
+  std::size_t jump(Op op, Register a = 0, Register b = 0) {
+    program_.code_.push_back({op, 0, 0, a, b, 0});
+    return program_.code_.size() - 1;
+  }
+  void land(std::size_t jump_index) { program_.code_[jump_index].jump = static_cast<std::uint32_t>(program_.code_.size()); }
+  Register multiply(Register a, Register b) {
+    return push(Op::kBinary, static_cast<std::uint8_t>(BinaryOp::kMultiply), a, b);
+  }
+
+  Register node(Node n) {
+    if (const auto it = registers_.find(n); it != registers_.end()) return it->second;
+    const Register r = compute(builder_.nodes_[n]);
+    registers_.emplace(n, r);
+    learnt_.push_back(n);
+    return r;
+  }
+
+  // Emits `n` where it may not always run.
+  void inside(Node n, Register target) {
+    const std::size_t mark = learnt_.size();
+    move(target, node(n));
+    forget(mark);
+  }
+  void forget(std::size_t mark) {
+    for (; learnt_.size() > mark; learnt_.pop_back()) registers_.erase(learnt_.back());
+  }
+
+  Register compute(const ExpressionBuilder::Data& data) {
+    switch (data.kind) {
+      case Kind::kConstant: return constant_register(data.value);
+      case Kind::kParameter: return static_cast<Register>(data.index);
+      case Kind::kLocal: return locals_.at(data.index);
+      case Kind::kGroup: return node(data.inputs[0]);
+      case Kind::kUnary: return push(Op::kUnary, data.detail, node(data.inputs[0]));
+      case Kind::kBinary: return binary(data);
+      case Kind::kSelect: return select(data);
+      case Kind::kSum: return repeat(data, BinaryOp::kAdd, 0);
+      case Kind::kProduct: return repeat(data, BinaryOp::kMultiply, 1);
+      case Kind::kCall: return call(data);
+    }
+    throw std::logic_error("unknown expression node");
+  }
+
+  Register binary(const ExpressionBuilder::Data& data) {
+    const auto op = static_cast<BinaryOp>(data.detail);
+    const Register a = node(data.inputs[0]);
+    double c = 0;
+    if (builder_.is_constant(data.inputs[1], &c)) {
+      if (op == BinaryOp::kDivide) return multiply(a, constant_register(1.0 / c));
+      if (op == BinaryOp::kPow && c == std::floor(c) && c >= 0 && c <= 8 && c != 1) return power(a, static_cast<int>(c));
+    }
+    return push(Op::kBinary, data.detail, a, node(data.inputs[1]));
+  }
+
+  Register power(Register e, int exponent) {
+    if (exponent == 0) return constant_register(1);
+    const Register square = multiply(e, e);
+    if (exponent == 2) return square;
+    if (exponent == 3) return multiply(square, e);
+    const Register fourth = multiply(square, square);
+    switch (exponent) {
+      case 4: return fourth;
+      case 5: return multiply(fourth, e);
+      case 6: return multiply(fourth, square);
+      case 7: return multiply(multiply(fourth, e), square);
+      default: return multiply(fourth, fourth);
+    }
+  }
+
+  Register select(const ExpressionBuilder::Data& data) {
+    const Register value = node(data.inputs[0]);
+    const Register target = new_register();
+    const std::size_t not_negative = jump(Op::kJumpUnlessNegative, value);
+    inside(data.inputs[1], target);
+    const std::size_t done_negative = jump(Op::kJump);
+    land(not_negative);
+    if (data.inputs[2] == data.inputs[3]) {
+      inside(data.inputs[3], target);
+    } else {
+      const std::size_t not_zero = jump(Op::kJumpUnlessZero, value);
+      inside(data.inputs[2], target);
+      const std::size_t done_zero = jump(Op::kJump);
+      land(not_zero);
+      inside(data.inputs[3], target);
+      land(done_zero);
+    }
+    land(done_negative);
+    return target;
+  }
+
+  Register repeat(const ExpressionBuilder::Data& data, BinaryOp op, double start) {
+    const Register from = node(data.inputs[1]);
+    const Register to = node(data.inputs[2]);
+    const Register variable = new_register();
+    const Register total = new_register();
+    locals_[builder_.nodes_[data.inputs[0]].index] = variable;
+    move(variable, from);
+    move(total, constant_register(start));
+    const std::size_t top = program_.code_.size();
+    const std::size_t leave = jump(Op::kJumpUnlessLessEqual, variable, to);
+    const std::size_t mark = learnt_.size();
+    const Register term = node(data.inputs[3]);
+    program_.code_.push_back({Op::kBinary, static_cast<std::uint8_t>(op), total, total, term, 0});
+    program_.code_.push_back({Op::kBinary, static_cast<std::uint8_t>(BinaryOp::kAdd), variable, variable, constant_register(1), 0});
+    forget(mark);
+    program_.code_.push_back({Op::kJump, 0, 0, 0, 0, static_cast<std::uint32_t>(top)});
+    land(leave);
+    return total;
+  }
+
+  Register call(const ExpressionBuilder::Data& data) {
+    std::vector<Register> values;
+    for (const Node input : data.inputs) values.push_back(node(input));
+    const auto first = static_cast<Register>(next_register_);
+    for (const Register value : values) move(new_register(), value);  // arguments side by side
+    return push(Op::kCall, data.detail, first, static_cast<Register>(data.index));
+  }
+
+  const ExpressionBuilder& builder_;
+  Program program_;
+  std::size_t next_register_ = 0;
+  std::unordered_map<Node, Register> registers_;
+  std::vector<Node> learnt_;
+  std::unordered_map<std::uint32_t, Register> locals_;
+};
+
+std::shared_ptr<const Program> ExpressionBuilder::finish(Node root, int parameter_count) const {
+  return std::make_shared<const Program>(ProgramEmitter(*this, parameter_count).emit(root));
+}
+
+}  // namespace lute

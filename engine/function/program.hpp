@@ -1,0 +1,109 @@
+// `function { expression }` compiled: register code for one expression, common subexpressions computed once, constants folded as
+// the reference folds them (specification chapters 10 §11.3 and 21 §11.2).
+//
+//   ExpressionBuilder e;
+//   auto x = e.parameter(0);
+//   auto program = e.finish(e.binary(BinaryOp::kAdd, x, e.constant(1)), 1);   // x + 1
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "engine/function/function.hpp"
+
+namespace lute {
+
+enum class UnaryOp : std::uint8_t {
+  kNegate, kSin, kCos, kTan, kAsin, kAcos, kAtan, kSinh, kCosh, kTanh, kAsinh, kAcosh, kAtanh,
+  kAbs, kRadians, kDegrees, kFloor, kCeil, kInt, kSqrt, kExp, kLn, kLog
+};
+enum class BinaryOp : std::uint8_t {
+  kAdd, kSubtract, kMultiply, kDivide, kLess, kLessEqual, kEqual, kNotEqual, kGreaterEqual, kGreater, kAnd, kOr,
+  kAtan2, kMod, kPow, kDiv, kMin, kMax
+};
+
+// What the operators compute, for the folding of constants and for anyone who evaluates without a program.
+double apply(UnaryOp op, double a);
+double apply(BinaryOp op, double a, double b);
+
+class Program final : public Function {
+ public:
+  void evaluate(const double* arguments, double* results) const override;
+
+  std::size_t instruction_count() const { return code_.size(); }
+
+ private:
+  friend class ProgramEmitter;
+  explicit Program(int parameters) : Function(parameters, 1) {}
+  enum class Op : std::uint8_t { kUnary, kBinary, kMove, kCall, kJump, kJumpUnlessNegative, kJumpUnlessZero, kJumpUnlessLessEqual };
+  struct Instruction {
+    Op op;
+    std::uint8_t detail = 0;          // UnaryOp, BinaryOp, or the component of a call's result
+    std::uint16_t target = 0;         // register
+    std::uint16_t a = 0, b = 0;       // registers; of a call: first argument, callee
+    std::uint32_t jump = 0;           // instruction index
+  };
+
+  // Registers: parameters, then constants, then temporaries; the result is in result_.
+  std::vector<double> constants_;
+  std::size_t register_count_ = 0;
+  std::vector<Instruction> code_;
+  std::vector<FunctionPtr> callees_;
+  std::uint16_t result_ = 0;
+};
+
+// A domain error that the language reports when it folds constants ("Domain error in 'ln'.", "Division by zero.").
+struct ConstantDomainError {
+  std::string message;
+};
+
+// Builds the expression bottom-up. Equal subexpressions become one node.
+class ExpressionBuilder {
+ public:
+  using Node = std::uint32_t;
+
+  Node constant(double value);
+  Node parameter(unsigned index);
+  Node local();  // the running variable of a sum or prod; a new one each time
+
+  Node unary(UnaryOp op, Node a);
+  // Folds neighbouring constants of one precedence level as the reference does, also where that changes the meaning
+  // (`a < 3 = 1` is `a < (3 = 1)`). Throws ConstantDomainError for a division by the constant 0.
+  Node binary(BinaryOp op, Node a, Node b);
+  Node group(Node a);  // a parenthesised expression: no folding across its border
+  Node select(Node value, Node negative, Node zero, Node positive);  // three arguments: pass `zero` twice
+  Node sum(Node local, Node from, Node to, Node term) { return repeat(false, local, from, to, term); }
+  Node product(Node local, Node from, Node to, Node factor) { return repeat(true, local, from, to, factor); }
+  Node call(FunctionPtr function, std::span<const Node> arguments, unsigned component = 0);
+
+  bool is_constant(Node a, double* value = nullptr) const;
+
+  std::shared_ptr<const Program> finish(Node root, int parameter_count) const;
+
+ private:
+  friend class ProgramEmitter;
+  enum class Kind : std::uint8_t { kConstant, kParameter, kLocal, kUnary, kBinary, kGroup, kSelect, kSum, kProduct, kCall };
+  struct Data {
+    Kind kind;
+    std::uint8_t detail = 0;         // operator, component
+    std::uint32_t index = 0;         // parameter, local, callee
+    double value = 0;                // constant
+    std::vector<Node> inputs;
+    bool has_parameter = false;      // contains a parameter (a call with constant arguments does not count)
+  };
+
+  Node add(Data data);
+  Node repeat(bool product, Node local, Node from, Node to, Node term);
+
+  std::vector<Data> nodes_;
+  std::vector<FunctionPtr> callees_;
+  std::uint32_t local_count_ = 0;
+  std::map<std::tuple<Kind, std::uint8_t, std::uint32_t, std::uint64_t, std::vector<Node>>, Node> known_;
+};
+
+}  // namespace lute

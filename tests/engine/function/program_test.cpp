@@ -1,0 +1,115 @@
+#include "engine/function/program.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace lute {
+namespace {
+
+using B = BinaryOp;
+using Args = std::vector<double>;
+
+double value(const Function& function, const Args& arguments) {
+  double result = 0;
+  function.evaluate(arguments.data(), &result);
+  return result;
+}
+
+// Specification chapter 10 §14, check case 13.
+TEST(Program, DividesByAConstantThroughItsReciprocal) {
+  ExpressionBuilder e;
+  const auto program = e.finish(e.binary(B::kDivide, e.parameter(0), e.constant(3)), 1);
+  EXPECT_EQ(value(*program, Args{5}), 1.666666666666666519);
+}
+
+TEST(Program, SumsSquares) {
+  ExpressionBuilder e;
+  const auto i = e.local();
+  const auto program = e.finish(e.sum(i, e.constant(1), e.parameter(0), e.binary(B::kMultiply, i, i)), 1);
+  EXPECT_EQ(value(*program, Args{4}), 30);
+  EXPECT_EQ(value(*program, Args{0}), 0);
+}
+
+TEST(Program, EmptyProductIsOne) {
+  ExpressionBuilder e;
+  const auto i = e.local();
+  EXPECT_EQ(value(*e.finish(e.product(i, e.constant(1), e.parameter(0), i), 1), Args{0}), 1);
+  EXPECT_EQ(value(*e.finish(e.product(i, e.constant(1), e.parameter(0), i), 1), Args{5}), 120);
+}
+
+// Chapter 21 §11.2: a<3=1 is evaluated as a<(3=1); parentheses keep their meaning.
+TEST(Program, FoldsNeighbouringConstantsOfOneLevel) {
+  ExpressionBuilder e;
+  const auto less = e.binary(B::kLess, e.parameter(0), e.constant(3));
+  const auto folded = e.finish(e.binary(B::kEqual, less, e.constant(1)), 1);
+  EXPECT_EQ(value(*folded, Args{1}), 0);
+  EXPECT_EQ(value(*folded, Args{-1}), 1);
+  const auto grouped = e.finish(e.binary(B::kEqual, e.group(less), e.constant(1)), 1);
+  EXPECT_EQ(value(*grouped, Args{1}), 1);
+}
+
+// Chapter 21 §11.2: g(1)/2*3 with g(1) = 4 is 0.6667, g(x)/2*3 is 6.
+TEST(Program, FoldsProductsOnlyWhereNoParameterStandsToTheLeft) {
+  ExpressionBuilder inner;
+  const auto g = inner.finish(inner.binary(B::kAdd, inner.parameter(0), inner.constant(3)), 1);
+  for (const bool constant_argument : {true, false}) {
+    ExpressionBuilder e;
+    const auto argument = constant_argument ? e.constant(1) : e.parameter(0);
+    const auto call = e.call(g, std::vector{argument});
+    const auto root = e.binary(B::kMultiply, e.binary(B::kDivide, call, e.constant(2)), e.constant(3));
+    EXPECT_NEAR(value(*e.finish(root, 1), Args{1}), constant_argument ? 4.0 / 6 : 6.0, 1e-15);
+  }
+}
+
+TEST(Program, SelectRunsOnlyTheChosenBranch) {
+  ExpressionBuilder e;
+  const auto x = e.parameter(0);
+  const auto root = e.select(x, e.constant(-1), e.constant(0), e.unary(UnaryOp::kSqrt, x));
+  const auto program = e.finish(root, 1);
+  EXPECT_EQ(value(*program, Args{-4}), -1);
+  EXPECT_EQ(value(*program, Args{0}), 0);
+  EXPECT_EQ(value(*program, Args{9}), 3);
+}
+
+// What one branch has computed is not known in the other.
+TEST(Program, BranchesDoNotShareRegisters) {
+  ExpressionBuilder e;
+  const auto x = e.parameter(0);
+  const auto square = e.binary(B::kMultiply, x, x);
+  const auto root = e.binary(B::kAdd, e.select(x, square, e.constant(7), e.constant(7)), square);
+  EXPECT_EQ(value(*e.finish(root, 1), Args{3}), 16);
+  EXPECT_EQ(value(*e.finish(root, 1), Args{-3}), 18);
+}
+
+TEST(Program, ComputesEqualSubexpressionsOnce) {
+  ExpressionBuilder e;
+  const auto s = e.unary(UnaryOp::kSin, e.parameter(0));
+  const auto t = e.unary(UnaryOp::kSin, e.parameter(0));
+  EXPECT_EQ(e.finish(e.binary(B::kAdd, s, t), 1)->instruction_count(), 2u);
+}
+
+TEST(Program, SmallPowersAreMultiplications) {
+  ExpressionBuilder e;
+  for (int k = 0; k <= 9; ++k) {
+    const auto program = e.finish(e.binary(B::kPow, e.parameter(0), e.constant(k)), 1);
+    EXPECT_NEAR(value(*program, Args{1.1}), std::pow(1.1, k), 1e-14) << k;
+  }
+}
+
+// Chapter 21 §11.4: domain errors at run time yield IEEE results; of constants they are mistakes.
+TEST(Program, DomainErrorsAreIeeeAtRunTimeAndErrorsInConstants) {
+  ExpressionBuilder e;
+  EXPECT_EQ(value(*e.finish(e.unary(UnaryOp::kLn, e.parameter(0)), 1), Args{0}), -INFINITY);
+  EXPECT_THROW(e.unary(UnaryOp::kLn, e.constant(0)), ConstantDomainError);
+  EXPECT_THROW(e.binary(B::kDivide, e.parameter(0), e.constant(0)), ConstantDomainError);
+}
+
+TEST(Program, NanCountsAsGreater) {
+  EXPECT_EQ(apply(B::kGreater, NAN, 1), 1);
+  EXPECT_EQ(apply(B::kLessEqual, NAN, 1), 0);
+  EXPECT_EQ(apply(B::kNotEqual, NAN, NAN), 1);
+}
+
+}  // namespace
+}  // namespace lute

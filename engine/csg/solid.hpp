@@ -55,10 +55,11 @@ struct Hit {
   dvec3 point{0};
   ShapeHit shape_hit;
   const Leaf* leaf = nullptr;
-  const CsgSolid* cutaway = nullptr;  // the outermost CSG that marks the hit, for cutaway_textures; else null
+  const CsgSolid* cutaway = nullptr;  // the outermost CSG that marks the hit: asked when the leaf has no texture
 };
 using Hits = std::vector<Hit>;
 
+// `visibility` of a top-level solid is tested by whoever holds the scene's objects; a CsgSolid tests that of its children.
 class Solid {
  public:
   virtual ~Solid() = default;
@@ -74,7 +75,8 @@ class Solid {
 
   Visibility visibility;
   bool opaque = false;  // every leaf is opaque
-  Aabb box;             // bounds after CSG rules, clips and bounded_by
+  Aabb box;             // around every hit: bounds after CSG rules, clips and bounded_by
+  Aabb inside_box = Aabb::infinite();  // around every point that inside() accepts
 };
 
 }  // namespace lute

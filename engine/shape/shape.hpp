@@ -45,6 +45,9 @@ class Shape {
   // Closed box around the whole surface and, for solids, the inside. May be infinite.
   virtual Aabb bounds() const = 0;
 
+  // Box around the points that inside() accepts, where that differs: the half space behind a disc or a plane.
+  virtual Aabb inside_bounds() const { return bounds(); }
+
   // Appends all hits with depth in `range`, and above the shape's own tolerance.
   virtual void hits(const Ray& ray, Interval range, ShapeHits& out) const = 0;
 

@@ -1,0 +1,63 @@
+// A combination of solids: union that is kept whole, merge, intersection, difference. Source: specification chapter 20 §6.
+//
+// The builder has already applied `inverse`: the cutters of a difference arrive inverted (leaves marked, unions and merges turned
+// into intersections, intersections and differences into merges), and unions that may be split are gone.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "engine/csg/leaf_solid.hpp"
+#include "engine/csg/solid.hpp"
+
+namespace lute {
+
+enum class CsgKind : std::uint8_t { kUnion, kMerge, kIntersection, kDifference };
+
+// What `inverse` makes of a combination whose children are inverted too (§6.3).
+constexpr CsgKind inverted(CsgKind kind) {
+  return kind == CsgKind::kUnion || kind == CsgKind::kMerge ? CsgKind::kIntersection : CsgKind::kMerge;
+}
+
+class CsgSolid final : public Solid {
+ public:
+  using Children = std::vector<std::unique_ptr<Solid>>;
+  // A leaf whose texture contributes to a cut surface, and its share. Shares of one point add up to 1.
+  using CutawayShares = std::vector<std::pair<const Leaf*, double>>;
+
+  // Hits are marked with the outermost combination (unions mark only when clipped), so that surfaces which cutaway_textures left
+  // without a texture can ask it for theirs.
+  CsgSolid(CsgKind kind, Children children, SharedSolids clips = {}, SharedSolids bounds = {});
+
+  CsgKind kind() const { return kind_; }
+  const Children& children() const { return children_; }
+
+  void hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const override;
+  bool nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) const override;
+  bool any(const Ray& ray, Interval range, RayKind kind) const override;
+  bool inside(const dvec3& point) const override;
+  bool plain_inside(const dvec3& point) const override;
+  void leaves(std::vector<const Leaf*>& out) const override;
+
+  // The textures of an untextured surface point under cutaway_textures (§6.5). Appends nothing where the surface is black.
+  void cutaway_shares(const dvec3& point, CutawayShares& out) const;
+
+ private:
+  bool all_children_needed() const { return kind_ == CsgKind::kIntersection || kind_ == CsgKind::kDifference; }
+  bool child_visible(const Solid& child, RayKind kind) const;
+  bool survives(std::size_t child, const dvec3& point, RayKind kind) const;
+  bool in_clips(const dvec3& point) const;
+  bool meets_bounds(const Ray& ray) const;
+  void set_boxes();
+
+  CsgKind kind_;
+  bool marks_;             // its mark overwrites that of inner combinations
+  bool box_cuts_ = false;  // `box` came from the bounds and may be smaller than the content
+  Children children_;
+  SharedSolids clips_, bounds_;
+  std::vector<Aabb> child_boxes_;
+};
+
+}  // namespace lute

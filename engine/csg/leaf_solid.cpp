@@ -1,0 +1,70 @@
+#include "engine/csg/leaf_solid.hpp"
+
+#include <glm/common.hpp>
+
+#include "engine/csg/bounding.hpp"
+
+namespace lute {
+
+namespace {
+
+// Inside tests have tolerances and boxes are rounded; a box that decides whether to ask has to be a little larger.
+Aabb widened(Aabb box) {
+  constexpr double kMargin = 1e-9;
+  box.lo -= kMargin * (1.0 + glm::abs(box.lo));
+  box.hi += kMargin * (1.0 + glm::abs(box.hi));
+  return box;
+}
+
+}  // namespace
+
+LeafSolid::LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips, SharedSolids bounds, BoundTest bound_test)
+    : leaf_(std::move(leaf)), shape_(leaf_->shape.get()), clips_(std::move(clips)), bounds_(std::move(bounds)) {
+  opaque = leaf_->opaque;
+  box = shape_->bounds();
+  box_cuts_ = limit_box(box, clips_, bounds_);
+  inside_box = leaf_->inverted ? Aabb::infinite() : widened(shape_->inside_bounds());
+  for (const auto& clip : clips_) inside_box = inside_box.intersection(clip->inside_box);
+  if (bound_test == BoundTest::kBoxOnly) bounds_.clear();
+  plain_ = clips_.empty() && bounds_.empty() && !box_cuts_;
+}
+
+void LeafSolid::hits(const Ray& ray, Interval range, RayKind, Hits& out) const {
+  if (box_cuts_ && !meets_box(ray, {0, range.hi}, box)) return;
+  if (!meets_all(bounds_, ray)) return;
+  thread_local ShapeHits found;
+  const std::size_t first = found.size();
+  shape_->hits(ray, range, found);
+  // By index: an inside test of a clip may use the list's tail, and so move it.
+  for (std::size_t i = first; i < found.size(); ++i) {
+    const ShapeHit shape_hit = found[i];
+    const dvec3 point = ray.at(shape_hit.t);
+    if (inside_all(clips_, point)) out.push_back({shape_hit.t, point, shape_hit, leaf_.get(), nullptr});
+  }
+  found.resize(first);
+}
+
+bool LeafSolid::nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) const {
+  if (!plain_) return Solid::nearest(ray, range, kind, hit);
+  if (!shape_->nearest(ray, range, hit.shape_hit)) return false;
+  hit.t = hit.shape_hit.t;
+  hit.point = ray.at(hit.t);
+  hit.leaf = leaf_.get();
+  hit.cutaway = nullptr;
+  return true;
+}
+
+bool LeafSolid::any(const Ray& ray, Interval range, RayKind kind) const {
+  return plain_ ? shape_->any(ray, range) : Solid::any(ray, range, kind);
+}
+
+bool LeafSolid::inside(const dvec3& point) const { return plain_inside(point) && inside_all(clips_, point); }
+
+bool LeafSolid::plain_inside(const dvec3& point) const {
+  if (shape_->is_patch()) return false;
+  return leaf_->inverted ? shape_->inside_inverted(point) : shape_->inside(point);
+}
+
+void LeafSolid::leaves(std::vector<const Leaf*>& out) const { out.push_back(leaf_.get()); }
+
+}  // namespace lute

@@ -1,0 +1,46 @@
+// A solid of one shape, with its clips and bounds. Source: specification chapter 20 §2.2, §3, §7.
+//
+//   * clips (`clipped_by`): a hit survives if its point is inside all of them; so does the inside test. The cut is left open.
+//   * bounds (`bounded_by`): a ray that neither meets a bound nor starts inside it misses the solid as a whole; a bound cuts
+//     nothing along the ray. When the boxes of the bounds are smaller than the box of the shape they take its place, even if the
+//     shape is larger (§7.3.2): authors see that.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/csg/solid.hpp"
+
+namespace lute {
+
+using SharedSolids = std::vector<std::shared_ptr<const Solid>>;  // shared: clipped_by { bounded_by } uses one list twice
+
+enum class BoundTest {
+  kTested,  // rays are tested against the bounds
+  kBoxOnly  // the bounds of a plain top-level primitive are dropped, only their box stays in force (§7.2)
+};
+
+class LeafSolid final : public Solid {
+ public:
+  explicit LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips = {}, SharedSolids bounds = {},
+                     BoundTest bound_test = BoundTest::kTested);
+
+  const Leaf& leaf() const { return *leaf_; }
+  bool unclipped() const { return plain_; }  // the shape alone decides what is hit
+
+  void hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const override;
+  bool nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) const override;
+  bool any(const Ray& ray, Interval range, RayKind kind) const override;
+  bool inside(const dvec3& point) const override;
+  bool plain_inside(const dvec3& point) const override;
+  void leaves(std::vector<const Leaf*>& out) const override;
+
+ private:
+  std::unique_ptr<Leaf> leaf_;
+  const Shape* shape_;
+  SharedSolids clips_, bounds_;
+  bool plain_;
+  bool box_cuts_ = false;  // `box` came from the bounds and may be smaller than the shape
+};
+
+}  // namespace lute

@@ -10,6 +10,7 @@ namespace {
 
 // Inside tests have tolerances and boxes are rounded; a box that decides whether to ask has to be a little larger.
 Aabb widened(Aabb box) {
+  if (box.empty()) return box;
   constexpr double kMargin = 1e-9;
   box.lo -= kMargin * (1.0 + glm::abs(box.lo));
   box.hi += kMargin * (1.0 + glm::abs(box.hi));

@@ -1,5 +1,13 @@
 // box { <corner>, <corner> }
 //
+//   box { <-1, 0, -1>, <1, 2, 1> pigment { rgb <0, 0, 1> } }
+//
+// Two opposite corners in any order. A flat box is drawn as a rectangle; the face that the ray leaves by is the one reported.
+//
+// The ray meets the slab between each pair of faces in an interval; the box is met where the three overlap. On an edge, where two
+// faces are met within a millionth of each other, the face whose axis has the larger share of the direction is reported, x before y
+// before z among equals. The surface is inside. Scaled and translated it stays along the axes, otherwise it keeps its matrix.
+// uv: the faces unfolded as a cross (specification chapter 20 §3).
 // Source: specification chapter 20 §5.2.
 #pragma once
 

@@ -1,5 +1,12 @@
 // cone { <base>, base_radius, <cap>, cap_radius [open] }
 //
+//   cone { <0, 0, 0>, 1, <0, 2, 0>, 0 pigment { rgb <0, 1, 0> } }
+//
+// base, cap: centres of the two ends, which must differ; the radii are used with their signs: radii of opposite sign make two cones
+// that meet in a point; open: without end discs. With equal radii it is a cylinder.
+//
+// The radius changes linearly from end to end. Where side and end disc are hit at the same depth, the disc is reported. The surface
+// of a closed cone is outside, that of an open one inside.
 // Source: specification chapter 20 §5.3.
 #pragma once
 

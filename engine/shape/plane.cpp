@@ -1,0 +1,63 @@
+#include "engine/shape/plane.hpp"
+
+#include <cmath>
+
+#include "engine/shape/scanned_shape.hpp"
+
+namespace lute {
+
+namespace {
+
+constexpr double kMaxDepth = 1e7;
+
+class HalfSpace final : public ScannedShape<HalfSpace> {
+ public:
+  HalfSpace(const Plane& plane, const Transform& to_world) {
+    normal_ = glm::normalize(plane.normal);
+    distance_ = plane.distance;
+    if (to_world.identity()) return;
+    const dvec3 image = to_world.normal(normal_);
+    const double length = glm::length(image);
+    normal_ = image / length;
+    distance_ = distance_ / length + glm::dot(normal_, to_world.translation);
+    // Under a matrix the reference measures the tolerance in object space.
+    if (to_world.kinds & Transform::kMatrix) tolerance_ = kEpsilon / length;
+  }
+
+  template <class Sink>
+  void scan(const Ray& ray, Interval, Sink&& sink) const {
+    const double slope = glm::dot(normal_, ray.direction);
+    if (std::abs(slope) < kEpsilon) return;
+    const double t = (distance_ - glm::dot(normal_, ray.origin)) / slope;
+    if (t <= kMaxDepth) sink(t, 0);
+  }
+
+  Aabb bounds() const override { return Aabb::infinite(); }
+  Aabb inside_bounds() const override {
+    Aabb box = Aabb::infinite();
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(normal_[(axis + 1) % 3]) > kEpsilon || std::abs(normal_[(axis + 2) % 3]) > kEpsilon) continue;
+      (normal_[axis] > 0 ? box.hi : box.lo)[axis] = distance_ / normal_[axis];
+    }
+    return box;
+  }
+  bool inside(const dvec3& point) const override { return height(point) < tolerance_; }
+  bool inside_inverted(const dvec3& point) const override { return -height(point) < tolerance_; }
+  dvec3 normal(const ShapeHit&, const dvec3&) const override { return normal_; }
+  bool tests_own_box() const override { return false; }
+
+ private:
+  double height(const dvec3& point) const { return glm::dot(normal_, point) - distance_; }
+
+  dvec3 normal_{0, 1, 0};
+  double distance_ = 0;
+  double tolerance_ = kEpsilon;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> build(const Plane& plane, const Transform& to_world, BuildContext&) {
+  return std::make_unique<HalfSpace>(plane, to_world);
+}
+
+}  // namespace lute

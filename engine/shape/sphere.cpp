@@ -1,0 +1,115 @@
+#include "engine/shape/sphere.hpp"
+
+#include <cmath>
+
+#include "engine/shape/scanned_shape.hpp"
+#include "engine/shape/unit_sphere_uv.hpp"
+
+namespace lute {
+
+namespace {
+
+constexpr double kMaxDepth = 1e7;      // in object units
+constexpr double kGrazing = kEpsilon;  // share of radius² below which a chord is no hit
+
+// Hands both ends of the chord to `sink`, in units of the direction's length 1 / `scale`.
+template <class Sink>
+void scan_sphere(const dvec3& origin, const dvec3& direction, const dvec3& center, double radius, double scale, Sink& sink) {
+  const dvec3 w = center - origin;
+  const double b = glm::dot(w, direction);
+  const dvec3 apart = w - b * direction;
+  const double radius2 = radius * radius;
+  const double h = radius2 - glm::dot(apart, apart);
+  if (!(h > kGrazing * radius2)) return;
+  const double half_chord = std::sqrt(h);
+  if (b + half_chord < 0 || b - half_chord > kMaxDepth) return;
+  sink((b - half_chord) * scale, 0);
+  if (b + half_chord < kMaxDepth) sink((b + half_chord) * scale, 0);
+}
+
+class RoundSphere final : public ScannedShape<RoundSphere> {
+ public:
+  RoundSphere(const Sphere& sphere, const Transform& to_world)
+      : center_(to_world.point(sphere.center)),
+        radius_(sphere.radius),
+        to_world_(to_world) {
+    if (to_world.kinds & Transform::kUniformScale) radius_ *= std::cbrt(std::abs(glm::determinant(to_world.linear)));
+  }
+
+  template <class Sink>
+  void scan(const Ray& ray, Interval, Sink&& sink) const {
+    scan_sphere(ray.origin, ray.direction, center_, radius_, 1, sink);
+  }
+
+  Aabb bounds() const override {
+    const dvec3 reach(std::abs(radius_));
+    return {center_ - reach, center_ + reach};
+  }
+  bool inside(const dvec3& point) const override {
+    const dvec3 q = point - center_;
+    return glm::dot(q, q) < radius_ * radius_;
+  }
+  bool inside_inverted(const dvec3& point) const override {
+    const dvec3 q = point - center_;
+    return glm::dot(q, q) > radius_ * radius_;
+  }
+  dvec3 normal(const ShapeHit&, const dvec3& point) const override { return (point - center_) / radius_; }
+  dvec2 uv(const ShapeHit&, const dvec3& point) const override {
+    return unit_sphere_uv(glm::normalize(to_world_.inverse_direction(point - center_)));
+  }
+  bool tests_own_box() const override { return false; }
+
+ private:
+  dvec3 center_;
+  double radius_;
+  Transform to_world_;
+};
+
+class Ellipsoid final : public ScannedShape<Ellipsoid> {
+ public:
+  Ellipsoid(const Sphere& sphere, const Transform& to_world) : sphere_(sphere), to_world_(to_world) {}
+
+  template <class Sink>
+  void scan(const Ray& ray, Interval, Sink&& sink) const {
+    const Ray local = to_world_.inverse_ray(ray);
+    const double scale = 1 / glm::length(local.direction);
+    scan_sphere(local.origin, local.direction * scale, sphere_.center, sphere_.radius, scale, sink);
+  }
+
+  Aabb bounds() const override {
+    const dvec3 center = to_world_.point(sphere_.center);
+    dvec3 reach;  // of the image of the unit sphere along an axis: the length of the matrix's row
+    for (int axis = 0; axis < 3; ++axis)
+      reach[axis] = std::abs(sphere_.radius) *
+                    glm::length(dvec3(to_world_.linear[0][axis], to_world_.linear[1][axis], to_world_.linear[2][axis]));
+    return {center - reach, center + reach};
+  }
+  bool inside(const dvec3& point) const override { return distance2(point) < sphere_.radius * sphere_.radius; }
+  bool inside_inverted(const dvec3& point) const override { return distance2(point) > sphere_.radius * sphere_.radius; }
+  dvec3 normal(const ShapeHit&, const dvec3& point) const override {
+    const dvec3 n = (to_world_.inverse_point(point) - sphere_.center) / sphere_.radius;
+    return glm::normalize(to_world_.normal(n));
+  }
+  dvec2 uv(const ShapeHit&, const dvec3& point) const override {
+    return unit_sphere_uv(glm::normalize(to_world_.inverse_point(point) - sphere_.center));
+  }
+  bool tests_own_box() const override { return false; }
+
+ private:
+  double distance2(const dvec3& point) const {
+    const dvec3 q = to_world_.inverse_point(point) - sphere_.center;
+    return glm::dot(q, q);
+  }
+
+  Sphere sphere_;
+  Transform to_world_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> build(const Sphere& sphere, const Transform& to_world, BuildContext&) {
+  if (to_world.kinds & (Transform::kScale | Transform::kMatrix)) return std::make_unique<Ellipsoid>(sphere, to_world);
+  return std::make_unique<RoundSphere>(sphere, to_world);
+}
+
+}  // namespace lute

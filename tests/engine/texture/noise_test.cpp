@@ -1,0 +1,51 @@
+#include "engine/texture/noise.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/texture/warp.hpp"
+
+namespace lute {
+namespace {
+
+const dvec3 kP1{0.25, 0.5, 0.75}, kP2{-1.3, 2.7, 0.4}, kP3{17.1, -5.6, 33.3};
+
+// Specification chapter 50 §16 A, rows bozo noise_generator 1, 2, 3.
+TEST(Noise, EqualsTheReferenceForEveryGenerator) {
+  const double expected[3][3] = {{0.583792462646, 0.894231881306, 0.173446306891},
+                                 {0.556580287584, 0.708650843572, 0.355569834972},
+                                 {0.688600535850, 0.487471524708, 0.477359193796}};
+  for (int g = 1; g <= 3; ++g) {
+    EXPECT_NEAR(noise(kP1, g), expected[g - 1][0], 1e-12);
+    EXPECT_NEAR(noise(kP2, g), expected[g - 1][1], 1e-12);
+    EXPECT_NEAR(noise(kP3, g), expected[g - 1][2], 1e-12);
+  }
+}
+
+// Chapter 10 §14, check case 6: vturbulence(2,0.5,6,<0.3,0.7,1.1>).
+TEST(Noise, VectorTurbulenceEqualsTheReference) {
+  const dvec3 v = vector_turbulence({0.3, 0.7, 1.1}, Turbulence{.octaves = 6, .omega = 0.5f, .lambda = 2});
+  EXPECT_NEAR(v.x, 0.344564, 5e-7);
+  EXPECT_NEAR(v.y, -0.261187, 5e-7);
+  EXPECT_NEAR(v.z, -0.078804, 5e-7);
+}
+
+// Chapter 30 §5.1: first and last entries.
+TEST(Noise, HashTableEqualsTheReference) {
+  EXPECT_EQ(hash_table(0), 2291u);
+  EXPECT_EQ(hash_table(15), 669u);
+  EXPECT_EQ(hash_table(4095), 3088u);
+}
+
+// MT19937 with seed 5489 begins with 3499211612 (Matsumoto and Nishimura's reference output).
+TEST(Noise, RandomTableIsMersenneTwister) { EXPECT_EQ(random_table(0), 3499211612.0 / 4294967296.0); }
+
+TEST(Noise, FarAwayCoordinatesAreDefined) {
+  for (int g = 1; g <= 3; ++g) {
+    const double n = noise({1e17, -1e17, 1e12}, g);
+    EXPECT_GE(n, 0);
+    EXPECT_LE(n, 1);
+  }
+}
+
+}  // namespace
+}  // namespace lute

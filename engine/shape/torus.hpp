@@ -1,5 +1,16 @@
-// torus { major, minor }
+// torus { major, minor [sturm] }
 //
+//   torus { 1, 0.25 pigment { rgb <1, 0.5, 0> } }
+//
+// major: radius of the circle in the xz plane that the tube follows; minor: radius of the tube; sturm is accepted and changes
+// nothing. A negative radius or minor = 0 draws nothing. With minor > major the tube crosses itself; both surfaces are seen and the
+// inner lemon is inside.
+//
+// (√(x² + z²) - R)² + y² = r². The ray is first cut down to the stretches within the ring |y| <= r, |√(x² + z²) - R| <= r (at most
+// two); on each the quartic is set up about its beginning, with its constant written as a product, so that a tube a million times
+// thinner than the ring and an origin a million units away keep their digits. A grazing ray keeps its double root. The surface is
+// inside.
+// uv: u turns about the y axis, v about the tube (specification chapter 20 §3).
 // Source: specification chapter 20 §5.5.
 #pragma once
 

@@ -1,0 +1,130 @@
+#include "engine/shape/torus.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/math/polynomial.hpp"
+#include "engine/shape/empty_shape.hpp"
+#include "engine/shape/scanned_shape.hpp"
+
+namespace lute {
+
+namespace {
+
+class Ring final : public ScannedShape<Ring> {
+ public:
+  Ring(const Torus& torus, const Transform& to_world)
+      : major_(torus.major_radius), minor_(torus.minor_radius), to_world_(to_world) {
+    // The stretches are cut a little outside the tube, so that a root at their ends is not lost to rounding.
+    const double reach = minor_ * (1 + 1e-9) + major_ * 1e-14;
+    outer2_ = (major_ + reach) * (major_ + reach);
+    inner_ = major_ - reach;
+    height_ = reach;
+  }
+
+  template <class Sink>
+  void scan(const Ray& ray, Interval range, Sink&& sink) const {
+    Ray local = to_world_.identity() ? ray : to_world_.inverse_ray(ray);
+    const double length = glm::length(local.direction);
+    local.direction /= length;
+    Interval stretch{range.lo * length, range.hi * length};
+    if (!cut_by_slab(local, stretch)) return;
+    const double a = local.direction.x * local.direction.x + local.direction.z * local.direction.z;
+    const double b = local.origin.x * local.direction.x + local.origin.z * local.direction.z;
+    const double across = local.origin.x * local.direction.z - local.origin.z * local.direction.x;
+    if (!cut_by_cylinder(local, a, b, across, stretch)) return;
+    const double inner_square = inner_ > 0 ? a * inner_ * inner_ - across * across : -1;
+    if (inner_square <= 0 || a == 0) {
+      scan_stretch(local, stretch, 1 / length, sink);
+      return;
+    }
+    const double root = std::sqrt(inner_square);
+    scan_stretch(local, {stretch.lo, std::min(stretch.hi, (-b - root) / a)}, 1 / length, sink);
+    scan_stretch(local, {std::max(stretch.lo, (-b + root) / a), stretch.hi}, 1 / length, sink);
+  }
+
+  Aabb bounds() const override {
+    // Support function of a circle plus that of a ball, along each world axis.
+    const dvec3 center = to_world_.translation;
+    dvec3 reach;
+    for (int axis = 0; axis < 3; ++axis) {
+      const dvec3 row(to_world_.linear[0][axis], to_world_.linear[1][axis], to_world_.linear[2][axis]);
+      reach[axis] = major_ * std::hypot(row.x, row.z) + minor_ * glm::length(row);
+    }
+    return {center - reach, center + reach};
+  }
+  bool inside(const dvec3& point) const override {
+    const dvec3 p = to_world_.inverse_point(point);
+    const double g = std::hypot(p.x, p.z) - major_;
+    return g * g + p.y * p.y <= minor_ * minor_;
+  }
+  dvec3 normal(const ShapeHit&, const dvec3& point) const override {
+    const dvec3 p = to_world_.inverse_point(point);
+    const double rho = std::hypot(p.x, p.z);
+    const dvec3 axis = rho > kEpsilon * major_ ? dvec3(p.x, 0, p.z) * (major_ / rho) : dvec3(0);
+    return glm::normalize(to_world_.normal(p - axis));
+  }
+  dvec2 uv(const ShapeHit&, const dvec3& point) const override {
+    const dvec3 p = to_world_.inverse_point(point);
+    const double along = std::atan2(p.y, std::hypot(p.x, p.z) - major_);
+    return {1 - (std::atan2(p.z, p.x) + kPi) / (2 * kPi), (along + kPi) / (2 * kPi)};
+  }
+
+ private:
+  bool cut_by_slab(const Ray& ray, Interval& stretch) const {
+    const double dy = ray.direction.y;
+    if (dy == 0) return std::abs(ray.origin.y) <= height_;
+    double near = (-height_ - ray.origin.y) / dy;
+    double far = (height_ - ray.origin.y) / dy;
+    if (near > far) std::swap(near, far);
+    stretch = {std::max(stretch.lo, near), std::min(stretch.hi, far)};
+    return !stretch.empty();
+  }
+
+  bool cut_by_cylinder(const Ray& ray, double a, double b, double across, Interval& stretch) const {
+    if (a == 0) return ray.origin.x * ray.origin.x + ray.origin.z * ray.origin.z <= outer2_;
+    const double square = a * outer2_ - across * across;
+    if (!(square >= 0)) return false;
+    const double root = std::sqrt(square);
+    stretch = {std::max(stretch.lo, (-b - root) / a), std::min(stretch.hi, (-b + root) / a)};
+    return !stretch.empty();
+  }
+
+  // The roots within one stretch, with the origin moved to its beginning.
+  template <class Sink>
+  void scan_stretch(const Ray& ray, Interval stretch, double scale, Sink& sink) const {
+    if (stretch.empty()) return;
+    const dvec3 p = ray.at(stretch.lo);
+    const dvec3& d = ray.direction;
+    const double rho = std::sqrt(p.x * p.x + p.z * p.z);
+    const double g = rho - major_;
+    const double tube = g * g + p.y * p.y - minor_ * minor_;
+    const double k1 = g * (rho + major_) + p.y * p.y - minor_ * minor_;
+    const double k2 = glm::dot(p, d);
+    const double major2 = major_ * major_;
+    const std::array<double, 5> c{
+        tube * ((rho + major_) * (rho + major_) + p.y * p.y - minor_ * minor_),
+        4 * (k2 * k1 + 2 * major2 * p.y * d.y),
+        2 * (k1 + 2 * (k2 * k2 + major2 * d.y * d.y)),
+        4 * k2,
+        1,
+    };
+    const Interval within{0, stretch.hi - stretch.lo};
+    if (!may_have_root(c, {0, within.hi * (1 + 1e-9)})) return;
+    for (const double root : solve_quartic(c, within)) sink((stretch.lo + root) * scale, 0);
+  }
+
+  double major_, minor_;
+  double outer2_, inner_, height_;
+  Transform to_world_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> build(const Torus& torus, const Transform& to_world, BuildContext&) {
+  if (!(torus.minor_radius > 0) || !(torus.major_radius >= 0)) return build_empty_shape(false);
+  return std::make_unique<Ring>(torus, to_world);
+}
+
+}  // namespace lute

@@ -1,0 +1,169 @@
+// Specification chapter 20 §6 and §12 (check cases named at each test).
+#include "engine/csg/csg_solid.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/shape/box.hpp"
+#include "engine/shape/cylinder.hpp"
+#include "engine/shape/plane.hpp"
+#include "engine/shape/sphere.hpp"
+
+namespace lute {
+namespace {
+
+class NoCache final : public BuildContext {
+ public:
+  std::shared_ptr<const void> find_shared(const void*) const override { return nullptr; }
+  void store_shared(const void*, std::shared_ptr<const void>) override {}
+};
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr Interval kAhead{1e-4, kInfinity};
+
+template <class Description>
+std::unique_ptr<Solid> leaf(const Description& description, int color, bool inverted = false, SharedSolids clips = {},
+                            SharedSolids bounds = {}) {
+  NoCache cache;
+  auto result = std::make_unique<Leaf>();
+  result->shape = build(description, Transform{}, cache);
+  result->inverted = inverted;
+  result->light_group = color;  // any number that tells the leaves apart
+  return std::make_unique<LeafSolid>(std::move(result), std::move(clips), std::move(bounds));
+}
+
+template <class... Solids>
+std::unique_ptr<CsgSolid> combine(CsgKind kind, Solids... solids) {
+  CsgSolid::Children children;
+  (children.push_back(std::move(solids)), ...);
+  return std::make_unique<CsgSolid>(kind, std::move(children));
+}
+
+// The number of the leaf seen from z = -10 along z, -1 for none. Asked twice: nearest() and the full list must agree.
+int seen(const Solid& solid, double x, double y, RayKind kind = {}) {
+  const Ray ray{{x, y, -10}, {0, 0, 1}};
+  Hit hit;
+  const bool found = solid.nearest(ray, kAhead, kind, hit);
+  Hit from_list;
+  EXPECT_EQ(found, solid.Solid::nearest(ray, kAhead, kind, from_list));
+  EXPECT_EQ(found, solid.any(ray, kAhead, kind));
+  if (found) {
+    EXPECT_EQ(hit.t, from_list.t);
+    EXPECT_EQ(hit.leaf, from_list.leaf);
+  }
+  return found ? hit.leaf->light_group : -1;
+}
+
+const Box kCube{dvec3(-1), dvec3(1)};
+constexpr int kRed = 1, kGreen = 2;
+
+// Check case 10.
+TEST(Csg, LastOfCoincidentUnionFacesWins) {
+  EXPECT_EQ(seen(*combine(CsgKind::kUnion, leaf(kCube, kRed), leaf(kCube, kGreen)), .2, .3), kGreen);
+}
+TEST(Csg, MergeOfEqualBoxesVanishes) {
+  EXPECT_EQ(seen(*combine(CsgKind::kMerge, leaf(kCube, kRed), leaf(kCube, kGreen)), .2, .3), -1);
+}
+TEST(Csg, LastOfCoincidentIntersectionFacesWins) {
+  EXPECT_EQ(seen(*combine(CsgKind::kIntersection, leaf(kCube, kRed), leaf(kCube, kGreen)), .2, .3), kGreen);
+}
+TEST(Csg, CutBoxKeepsTheCuttersFace) {
+  const auto csg = combine(CsgKind::kDifference, leaf(kCube, kRed), leaf(Box{dvec3(-1), {1, 0, 1}}, kGreen, true));
+  EXPECT_EQ(seen(*csg, .2, .5), kRed);
+  EXPECT_EQ(seen(*csg, .2, -.5), kGreen);
+}
+TEST(Csg, CutCylinderSharingItsEndKeepsASkin) {
+  const auto csg = combine(CsgKind::kDifference, leaf(Cylinder{{0, 0, -1}, {0, 0, 1}, 1}, kRed),
+                           leaf(Cylinder{{0, 0, -1}, {0, 0, 0}, .5}, kGreen, true));
+  EXPECT_EQ(seen(*csg, .2, .1), kRed);
+}
+TEST(Csg, PlaneThatSharesABoxFaceWins) {
+  const auto csg = combine(CsgKind::kDifference, leaf(kCube, kRed), leaf(Plane{{0, 0, 1}, -1}, kGreen, true));
+  EXPECT_EQ(seen(*csg, .2, .5), kGreen);
+}
+
+TEST(Csg, DifferenceShowsTheInsideOfTheCutter) {
+  const auto csg = combine(CsgKind::kDifference, leaf(Sphere{dvec3(0), 1.5}, kRed), leaf(Sphere{{0, 0, -1.5}, 1}, kGreen, true));
+  EXPECT_EQ(seen(*csg, 0, 0), kGreen);
+  EXPECT_EQ(seen(*csg, 0, 1.2), kRed);
+  EXPECT_FALSE(csg->inside({0, 0, -1}));
+  EXPECT_TRUE(csg->inside({0, 0, .5}));
+}
+
+TEST(Csg, IntersectionBoxIsThatOfItsUprightChildren) {
+  const auto csg = combine(CsgKind::kIntersection, leaf(Sphere{dvec3(0), 1}, kRed), leaf(Plane{{0, 1, 0}, .5}, kGreen),
+                           leaf(Sphere{dvec3(0), .1}, kGreen, true));
+  EXPECT_NEAR(csg->box.hi.y, .5, 1e-6);
+  EXPECT_NEAR(csg->box.lo.y, -1, 1e-6);
+}
+
+// Check case 17: what a child's no_image hides.
+TEST(Csg, NoImageOfAChild) {
+  for (const CsgKind kind : {CsgKind::kUnion, CsgKind::kMerge, CsgKind::kIntersection}) {
+    auto marked = leaf(Sphere{dvec3(0), .7}, kRed);
+    marked->visibility.no_image = true;
+    const auto csg = combine(kind, std::move(marked), leaf(Sphere{{0, 0, 0}, .7000001}, kGreen));
+    const int primary = seen(*csg, 0, 0);
+    EXPECT_EQ(primary, kind == CsgKind::kIntersection ? kRed : kGreen);
+    RayKind refracted;
+    refracted.primary = false;
+    refracted.refracted = true;
+    EXPECT_EQ(seen(*csg, 0, 0, refracted), kind == CsgKind::kIntersection ? kRed : kGreen);
+    RayKind shadow;
+    shadow.shadow = true;
+    EXPECT_NE(seen(*csg, 0, 0, shadow), -1);
+  }
+}
+
+TEST(Csg, ClippedSolidIsOpen) {
+  SharedSolids clips;
+  clips.push_back(leaf(Plane{{0, 0, -1}, 0}, 0));  // keeps z > 0
+  const auto clipped = leaf(Sphere{dvec3(0), 1}, kRed, false, clips);
+  Hit hit;
+  ASSERT_TRUE(clipped->nearest({{0, 0, -10}, {0, 0, 1}}, kAhead, {}, hit));
+  EXPECT_DOUBLE_EQ(hit.point.z, 1);  // the far side is seen from within
+  EXPECT_FALSE(clipped->inside({0, 0, -.5}));
+  EXPECT_TRUE(clipped->plain_inside({0, 0, -.5}));
+  EXPECT_NEAR(clipped->box.lo.z, 0, 1e-6);
+}
+
+// Check case 11: the box of a bound cuts, as soon as boxes are used.
+TEST(Csg, SmallerBoxOfABoundCuts) {
+  SharedSolids bounds;
+  bounds.push_back(leaf(Box{{-.5, -.5, -2}, {.5, .5, 2}}, 0));
+  const auto bounded = leaf(Sphere{dvec3(0), 1.5}, kRed, false, {}, bounds);
+  EXPECT_EQ(seen(*bounded, .4, .4), kRed);
+  EXPECT_EQ(seen(*bounded, .8, .4), -1);
+}
+
+// Check case 13: the textures of a cut surface.
+TEST(Csg, CutawaySharesComeFromWhatThePointIsIn) {
+  const auto* texture = reinterpret_cast<const CompiledTexture*>(&kCube);  // only compared with null
+  const auto textured = [&](const Sphere& sphere, int color) {
+    auto solid = leaf(sphere, color);
+    const_cast<Leaf&>(static_cast<LeafSolid&>(*solid).leaf()).texture.texture = texture;
+    return solid;
+  };
+  const auto csg = combine(CsgKind::kDifference,
+                           combine(CsgKind::kUnion, textured({{-.5, 0, 0}, 1}, kRed), textured({{.5, 0, 0}, 1}, kGreen)),
+                           leaf(Box{dvec3(-2), {2, 2, 0}}, 0, true));
+  Hit hit;
+  ASSERT_TRUE(csg->nearest({{0, 0, -10}, {0, 0, 1}}, kAhead, {}, hit));
+  EXPECT_EQ(hit.cutaway, csg.get());
+  CsgSolid::CutawayShares shares;
+  hit.cutaway->cutaway_shares({0, 0, 0}, shares);
+  ASSERT_EQ(shares.size(), 2u);
+  EXPECT_EQ(shares[0].second, .5);
+}
+
+TEST(Csg, NestedCombinationsKeepTheirHitsApart) {
+  auto inner = combine(CsgKind::kMerge, leaf(Sphere{{0, 0, -1}, .5}, kRed), leaf(Sphere{{0, 0, -.8}, .5}, kGreen));
+  auto middle = combine(CsgKind::kMerge, std::move(inner), leaf(Sphere{{0, 0, .5}, .2}, 3));
+  const auto outer = combine(CsgKind::kIntersection, std::move(middle), leaf(Box{dvec3(-1.2), dvec3(2)}, 4));
+  Hits hits;
+  outer->hits({{0, 0, -10}, {0, 0, 1}}, kAhead, {}, hits);
+  EXPECT_EQ(hits.size(), 4u);
+  EXPECT_EQ(seen(*outer, 0, 0), 4);
+}
+
+}  // namespace
+}  // namespace lute

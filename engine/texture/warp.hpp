@@ -45,6 +45,9 @@ using Warp = std::variant<Transform, ClassicTurbulence, TurbulenceWarp, RepeatWa
                           SphericalWarp, ToroidalWarp, CubicWarp>;
 using WarpChain = std::vector<Warp>;
 
+// The point after the chain, each coordinate kept within 1e17. Classic turbulence is left out where the pattern uses it itself.
+dvec3 apply_warps(const WarpChain& chain, dvec3 point, bool skip_classic_turbulence);
+
 // A transformation written after the chain: composed into the first element if that is a transformation, else put in front.
 void prepend_transform(WarpChain& chain, const Transform& transform);
 

@@ -3,6 +3,8 @@
 // To add a pattern, write `engine/texture/pattern/<name>.{hpp,cpp}` with
 //   * a plain struct derived from PatternDefaults, its parameters as the scene file says them, with `kKeyword`;
 //   * `double evaluate(const Name&, const dvec3& point, const PatternContext&)`;
+//   * if it perturbs normals by a formula of its own instead of by its slope (chapter 50 §13.2),
+//     `dvec3 perturb(const Name&, const dvec3& normal, double amount, const dvec3& point, const PatternContext&)`;
 // and its line in `engine/texture/pattern/table.hpp`. A pattern without parameters needs no parser code: the parser finds its
 // keyword through the table.
 #pragma once
@@ -15,17 +17,24 @@
 
 namespace lute {
 
+struct Turbulence;   // engine/texture/warp.hpp
+struct WaveSources;  // engine/texture/pattern/wave_sources.hpp
+
 enum class Wave : std::uint8_t { kRamp, kTriangle, kSine, kScallop, kCubic, kPoly };
 
 struct PatternDefaults {
   static constexpr float kFrequency = 1;  // 0: no wave or frequency processing
   static constexpr Wave kWave = Wave::kRamp;
+  static constexpr bool kOwnTurbulence = false;  // the chain leaves classic turbulence to the formula
   static constexpr int kListLength = 0;  // checker 2, hexagon 3, ...: how many items a list of colours, pigments, ... has
 };
 
 // What a pattern may look at besides the point.
 struct PatternContext {
-  int noise_generator = 2;  // 1, 2 or 3, already resolved
+  int noise_generator = 2;                  // 1, 2 or 3, already resolved
+  const Turbulence* turbulence = nullptr;   // the classic turbulence of the body, for patterns with it in their formula
+  const WaveSources* waves = nullptr;       // for ripples and waves
+  float frequency = 1, phase = 0;           // as written, for ripples and waves
   // The surface being shaded, for slope and aoi; normal is zero where there is no surface (sky, media, functions).
   dvec3 normal{0};         // current perturbed normal
   dvec3 ray_direction{0};  // unit, toward the surface

@@ -1,0 +1,37 @@
+// A normal pattern ready to perturb normals (specification chapter 50 §13).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/texture/blend.hpp"
+#include "engine/texture/compiled_pattern.hpp"
+
+namespace lute {
+
+class TextureCompiler;
+
+class CompiledNormal {
+ public:
+  CompiledNormal(const Normal& normal, bool no_bump_scale, TextureCompiler& compiler);
+
+  // The perturbed normal, unit, in the space of `point`. It is not turned toward the ray.
+  dvec3 perturb(const dvec3& normal, const dvec3& point, const SurfaceContext& surface) const;
+
+ private:
+  struct NormalEntry {
+    float position;
+    const CompiledNormal* normal;
+  };
+
+  dvec3 by_slope(dvec3 normal, const dvec3& warped, const SurfaceContext& surface) const;
+  dvec3 by_map(const dvec3& normal, const dvec3& warped, const SurfaceContext& surface) const;
+
+  std::unique_ptr<CompiledPattern> pattern_;
+  double amount_, accuracy_;
+  bool bump_scale_;
+  std::vector<NormalEntry> normals_;
+  std::vector<SlopeMap::Entry> slopes_;
+};
+
+}  // namespace lute

@@ -1,0 +1,53 @@
+// A pattern ready to be evaluated: its warps, the pattern itself, frequency and wave (specification chapter 50 §4).
+#pragma once
+
+#include <memory>
+
+#include "engine/scene/texture.hpp"
+#include "engine/texture/pattern/wave_sources.hpp"
+#include "engine/texture/surface_context.hpp"
+
+namespace lute {
+
+// What all patterns of a scene have in common.
+struct PatternSettings {
+  int noise_generator = 2;
+  std::shared_ptr<const WaveSources> waves;  // null where no pattern needs them
+};
+
+class CompiledPattern {
+ public:
+  CompiledPattern(const PatternBody& body, const PatternSettings& settings);
+
+  // The point after the chain of warps.
+  dvec3 warp(const dvec3& point) const { return chain_.empty() ? point : apply_warps(chain_, point, own_turbulence_); }
+  // The pattern's value at a warped point, wave included.
+  double value(const dvec3& warped, const SurfaceContext& surface) const;
+
+  const AnyPattern* pattern() const { return std::get_if<AnyPattern>(&pattern_); }
+  bool is_average() const { return std::holds_alternative<Average>(pattern_); }
+  bool is_uv_mapping() const { return std::holds_alternative<UvMapping>(pattern_); }
+
+  // True if the pattern perturbs normals by a formula of its own.
+  bool perturbs_normals() const;
+  dvec3 perturb(const dvec3& normal, double amount, const dvec3& warped, const SurfaceContext& surface) const;
+
+  // The transformations of the chain carry a normal into pattern space, and back (chapter 50 §13.1).
+  dvec3 carry_in(dvec3 normal, bool normalise) const;
+  dvec3 carry_out(dvec3 normal, bool normalise) const;
+
+ private:
+  PatternContext context(const SurfaceContext& surface) const;
+
+  std::variant<NoPattern, Average, UvMapping, AnyPattern> pattern_;
+  WarpChain chain_;
+  float frequency_, phase_;
+  Wave wave_;
+  float wave_exponent_;
+  int noise_generator_;
+  std::shared_ptr<const WaveSources> waves_;
+  std::shared_ptr<const Turbulence> turbulence_;  // the classic one, if the chain ends with it
+  bool own_turbulence_ = false;
+};
+
+}  // namespace lute

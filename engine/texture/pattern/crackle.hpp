@@ -1,0 +1,18 @@
+// crackle { form <a,b,c> metric m offset o solid }: cells around random points (specification chapter 50 §6.4).
+#pragma once
+
+#include "engine/texture/pattern/pattern.hpp"
+
+namespace lute {
+
+struct Crackle : PatternDefaults {
+  static constexpr std::string_view kKeyword = "crackle";
+  dvec3 form{-1, 1, 0};
+  double metric = 2;
+  double offset = 0;
+  bool solid = false;
+};
+
+double evaluate(const Crackle& pattern, const dvec3& point, const PatternContext& context);
+
+}  // namespace lute

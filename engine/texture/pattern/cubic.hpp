@@ -1,0 +1,16 @@
+// cubic A ... F: six colours by the face of a cube that a direction meets (specification chapter 50 §6.3).
+#pragma once
+
+#include "engine/texture/pattern/pattern.hpp"
+
+namespace lute {
+
+struct Cubic : PatternDefaults {
+  static constexpr std::string_view kKeyword = "cubic";
+  static constexpr float kFrequency = 0;
+  static constexpr int kListLength = 6;
+};
+
+double evaluate(const Cubic& pattern, const dvec3& point, const PatternContext& context);
+
+}  // namespace lute

@@ -1,0 +1,14 @@
+// cylindrical: 1 on the y axis falling to 0 at distance 1 (specification chapter 50 §6).
+#pragma once
+
+#include "engine/texture/pattern/pattern.hpp"
+
+namespace lute {
+
+struct Cylindrical : PatternDefaults {
+  static constexpr std::string_view kKeyword = "cylindrical";
+};
+
+double evaluate(const Cylindrical& pattern, const dvec3& point, const PatternContext& context);
+
+}  // namespace lute

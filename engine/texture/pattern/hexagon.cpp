@@ -1,0 +1,25 @@
+#include "engine/texture/pattern/hexagon.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lute {
+
+double evaluate(const Hexagon&, const dvec3& p, const PatternContext&) {
+  static constexpr int kSide[6] = {0, 1, 1, 2, 2, 0}, kMiddle[6] = {2, 2, 0, 0, 1, 1};
+  static constexpr int kLow[6] = {0, 2, 1, 0, 2, 1}, kHigh[6] = {2, 1, 0, 2, 1, 0};
+  const double x = std::fabs(p.x), z = p.z >= 0 ? p.z : 5.196152424 - std::fabs(p.z);
+  double u = x / 0.5, w = z / 0.866025404;
+  u -= 6 * std::floor(u / 6);
+  w -= 6 * std::floor(w / 6);
+  const int i = std::min(static_cast<int>(u), 5), j = std::min(static_cast<int>(w), 5);
+  if (i == 0 || i == 5) return kSide[j];
+  if (i == 2 || i == 3) return kMiddle[j];
+  double a = u - i;
+  const double b = w - j;
+  if ((i + j) % 2 == 1) a = 1 - a;
+  if (a == 0) a = 0.0001;
+  return b / a < 1 ? kLow[j] : kHigh[j];
+}
+
+}  // namespace lute

@@ -1,0 +1,14 @@
+// leopard: squared mean of three sines (specification chapter 50 §6).
+#pragma once
+
+#include "engine/texture/pattern/pattern.hpp"
+
+namespace lute {
+
+struct Leopard : PatternDefaults {
+  static constexpr std::string_view kKeyword = "leopard";
+};
+
+double evaluate(const Leopard& pattern, const dvec3& point, const PatternContext& context);
+
+}  // namespace lute

@@ -1,0 +1,16 @@
+// marble: bands along x, disturbed by turbulence (specification chapter 50 §6).
+#pragma once
+
+#include "engine/texture/pattern/pattern.hpp"
+
+namespace lute {
+
+struct Marble : PatternDefaults {
+  static constexpr std::string_view kKeyword = "marble";
+  static constexpr Wave kWave = Wave::kTriangle;
+  static constexpr bool kOwnTurbulence = true;
+};
+
+double evaluate(const Marble& pattern, const dvec3& point, const PatternContext& context);
+
+}  // namespace lute

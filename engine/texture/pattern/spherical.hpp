@@ -1,0 +1,14 @@
+// spherical: 1 at the origin falling to 0 on the unit sphere (specification chapter 50 §6).
+#pragma once
+
+#include "engine/texture/pattern/pattern.hpp"
+
+namespace lute {
+
+struct Spherical : PatternDefaults {
+  static constexpr std::string_view kKeyword = "spherical";
+};
+
+double evaluate(const Spherical& pattern, const dvec3& point, const PatternContext& context);
+
+}  // namespace lute

@@ -1,0 +1,16 @@
+// spiral2 arms: a spiral around the z axis crossed with rings (specification chapter 50 §6).
+#pragma once
+
+#include "engine/texture/pattern/pattern.hpp"
+
+namespace lute {
+
+struct Spiral2 : PatternDefaults {
+  static constexpr std::string_view kKeyword = "spiral2";
+  static constexpr Wave kWave = Wave::kTriangle;
+  int arms = 1;
+};
+
+double evaluate(const Spiral2& pattern, const dvec3& point, const PatternContext& context);
+
+}  // namespace lute

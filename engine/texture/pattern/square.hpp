@@ -1,0 +1,16 @@
+// square A, B, C, D: unit squares of the x-z plane in four colours (specification chapter 50 §6.3).
+#pragma once
+
+#include "engine/texture/pattern/pattern.hpp"
+
+namespace lute {
+
+struct Square : PatternDefaults {
+  static constexpr std::string_view kKeyword = "square";
+  static constexpr float kFrequency = 0;
+  static constexpr int kListLength = 4;
+};
+
+double evaluate(const Square& pattern, const dvec3& point, const PatternContext& context);
+
+}  // namespace lute

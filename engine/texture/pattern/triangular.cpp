@@ -1,0 +1,23 @@
+#include "engine/texture/pattern/triangular.hpp"
+
+#include <cmath>
+
+namespace lute {
+
+double evaluate(const Triangular&, const dvec3& p, const PatternContext&) {
+  const double root3 = std::sqrt(3.0);
+  double u = p.x - 3 * std::floor(p.x / 3), w = p.z - root3 * std::floor(p.z / root3);
+  const int a = static_cast<int>(std::floor(u));
+  u -= a;
+  const bool top = w >= root3 / 2;
+  if (top) w = root3 - w;
+  int t = 1;
+  if (u != 0) {
+    const bool left = w / u < root3, right = w / (1 - u) < root3;
+    t = left ? (right ? 0 : 3) : 1;
+  }
+  const int v = t % 2 == 1 ? (t + 2 * a) % 6 : (6 + t - 2 * a) % 6;
+  return top ? 5 - v : v;
+}
+
+}  // namespace lute

@@ -1,0 +1,33 @@
+// All solids of a scene, ready for rays. Unbounded solids stand in a list of their own and are asked first; the others are in a Bvh.
+// Of hits at exactly equal depth the unbounded solid wins, then the one declared first (specification chapter 20 §2.3).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/accel/bvh.hpp"
+#include "engine/accel/counters.hpp"
+#include "engine/csg/solid.hpp"
+
+namespace lute {
+
+class SceneTree {
+ public:
+  // In scene order. The solids must outlive the tree.
+  explicit SceneTree(std::span<const Solid* const> solids);
+
+  bool nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit, Counters& counters) const;
+
+  // The nearest hit on a solid that casts shadows.
+  bool nearest_shadow(const Ray& ray, Interval range, Hit& hit, Counters& counters) const;
+
+  // True if an opaque solid that casts shadows is hit anywhere in `range`.
+  bool any_opaque(const Ray& ray, Interval range, Counters& counters) const;
+
+ private:
+  std::vector<const Solid*> unbounded_, bounded_;  // bounded_ in the order of the tree's leaves
+  std::vector<std::uint32_t> scene_index_;         // of bounded_
+  Bvh bvh_;
+};
+
+}  // namespace lute

@@ -20,11 +20,16 @@ Aabb widened(Aabb box) {
 }  // namespace
 
 LeafSolid::LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips, SharedSolids bounds, BoundTest bound_test)
-    : leaf_(std::move(leaf)), shape_(leaf_->shape.get()), clips_(std::move(clips)), bounds_(std::move(bounds)) {
+    : leaf_(std::move(leaf)),
+      shape_(leaf_->shape.get()),
+      clips_(std::move(clips)),
+      bounds_(std::move(bounds)),
+      inverted_(leaf_->inverted) {
+  if (!shape_->inverse_turns_normal()) leaf_->inverted = false;
   opaque = leaf_->opaque;
   box = shape_->bounds();
   box_cuts_ = limit_box(box, clips_, bounds_);
-  inside_box = leaf_->inverted ? Aabb::infinite() : widened(shape_->inside_bounds());
+  inside_box = inverted_ ? Aabb::infinite() : widened(shape_->inside_bounds());
   for (const auto& clip : clips_) inside_box = inside_box.intersection(clip->inside_box);
   if (bound_test == BoundTest::kBoxOnly) bounds_.clear();
   plain_ = clips_.empty() && bounds_.empty() && !box_cuts_;
@@ -63,7 +68,7 @@ bool LeafSolid::inside(const dvec3& point) const { return plain_inside(point) &&
 
 bool LeafSolid::plain_inside(const dvec3& point) const {
   if (shape_->is_patch()) return false;
-  return leaf_->inverted ? shape_->inside_inverted(point) : shape_->inside(point);
+  return inverted_ ? shape_->inside_inverted(point) : shape_->inside(point);
 }
 
 void LeafSolid::leaves(std::vector<const Leaf*>& out) const { out.push_back(leaf_.get()); }

@@ -39,6 +39,7 @@ class LeafSolid final : public Solid {
   std::unique_ptr<Leaf> leaf_;
   const Shape* shape_;
   SharedSolids clips_, bounds_;
+  bool inverted_;  // of the inside test; Leaf::inverted says whether the normal is negated
   bool plain_;
   bool box_cuts_ = false;  // `box` came from the bounds and may be smaller than the shape
 };

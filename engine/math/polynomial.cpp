@@ -211,6 +211,14 @@ bool may_have_root(std::span<const double> c, Interval range) {
   return *low < 0 && *high > 0;
 }
 
+Interval cubic_value_range(const std::array<double, 4>& c, Interval range) {
+  const auto f = [&](double t) { return ((c[3] * t + c[2]) * t + c[1]) * t + c[0]; };
+  Interval values{std::min(f(range.lo), f(range.hi)), std::max(f(range.lo), f(range.hi))};
+  for (const double t : solve_quadratic({c[1], 2 * c[2], 3 * c[3]}, range))
+    values = {std::min(values.lo, f(t)), std::max(values.hi, f(t))};
+  return values;
+}
+
 double root_bound(std::span<const double> c) {
   const std::size_t degree = c.size() - 1;
   if (degree < 1 || c[degree] == 0) {

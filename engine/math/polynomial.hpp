@@ -42,6 +42,9 @@ Roots<kMaxPolynomialDegree> solve_polynomial(std::span<const double> c, Interval
 // belongs to both signs, so that a root at an end may be reported missing; callers that keep ends widen the range.
 bool may_have_root(std::span<const double> c, Interval range);
 
+// The least and the greatest value of a cubic over a finite range.
+Interval cubic_value_range(const std::array<double, 4>& c, Interval range);
+
 // A bound B so that every real root lies in [-B, B] (Fujiwara). Infinite for a constant.
 double root_bound(std::span<const double> c);
 

@@ -68,6 +68,9 @@ class Shape {
   // Raw outward unit normal at a hit (not turned toward the ray, not negated for `inverse`).
   virtual dvec3 normal(const ShapeHit& hit, const dvec3& point) const = 0;
 
+  // Whether `inverse` negates the raw normal. Not for a quadric, which negates its coefficients too (chapter 20 §5.7).
+  virtual bool inverse_turns_normal() const { return !is_patch(); }
+
   // Surface coordinates for uv_mapping. Default: x and y of the world point (chapter 20 §3).
   virtual dvec2 uv(const ShapeHit& hit, const dvec3& point) const;
 

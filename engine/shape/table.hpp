@@ -4,27 +4,45 @@
 
 #include <variant>
 
+#include "engine/shape/blob.hpp"
 #include "engine/shape/box.hpp"
 #include "engine/shape/cone.hpp"
 #include "engine/shape/cylinder.hpp"
 #include "engine/shape/disc.hpp"
+#include "engine/shape/lathe.hpp"
 #include "engine/shape/mesh.hpp"
+#include "engine/shape/ovus.hpp"
 #include "engine/shape/plane.hpp"
+#include "engine/shape/poly.hpp"
+#include "engine/shape/prism.hpp"
+#include "engine/shape/quadric.hpp"
+#include "engine/shape/sor.hpp"
 #include "engine/shape/sphere.hpp"
+#include "engine/shape/sphere_sweep.hpp"
+#include "engine/shape/superellipsoid.hpp"
 #include "engine/shape/torus.hpp"
 #include "engine/shape/triangle.hpp"
 
 namespace lute {
 
 using AnyShape = std::variant<  //
+    Blob,                       //
     Box,                        //
     Cone,                       //
     Cylinder,                   //
     Disc,                       //
+    Lathe,                      //
     Mesh,                       //
+    Ovus,                       //
     Plane,                      //
+    Poly,                       //
+    Prism,                      //
+    Quadric,                    //
     SmoothTriangle,             //
+    Sor,                        //
     Sphere,                     //
+    SphereSweep,                //
+    Superellipsoid,             //
     Torus,                      //
     Triangle>;
 

@@ -1,0 +1,238 @@
+#include "engine/shape/blob.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "engine/math/polynomial.hpp"
+#include "engine/shape/axis_frame.hpp"
+#include "engine/shape/scanned_shape.hpp"
+
+namespace lute {
+
+namespace {
+
+constexpr double kNearest = 1e-2;
+constexpr double kInsideTolerance = 1e-6;
+
+// A piece of a component, in a space where its radius is 1 and, of the pieces of a cylinder, the axis is z from 0 to 1.
+enum class Piece : std::uint8_t { kBall, kSide, kBaseBall, kApexBall };
+
+struct Element {
+  Piece piece;
+  std::uint32_t component;
+  double strength;
+  Transform to_world;
+
+  dvec3 radial(const dvec3& p) const { return piece == Piece::kSide ? dvec3(p.x, p.y, 0) : p; }
+  bool in_part(double z) const {
+    switch (piece) {
+      case Piece::kBall: return true;
+      case Piece::kSide: return z >= 0 && z <= 1;
+      case Piece::kBaseBall: return z <= 0;
+      case Piece::kApexBall: break;
+    }
+    return z >= 0;
+  }
+  // 1 - ρ²/r², or a negative number outside of the support.
+  double closeness(const dvec3& local) const {
+    if (!in_part(local.z)) return -1;
+    const dvec3 r = radial(local);
+    return 1 - glm::dot(r, r);
+  }
+};
+
+// An element as the ray sees it: closeness c[0] + c[1] t + c[2] t², within [begin, end].
+struct Stretch {
+  double begin, end;
+  double strength;
+  std::array<double, 3> c;
+};
+
+// The depths where the ray is in the element's support; c is its closeness about the depth `middle`.
+bool cross_element(const Element& e, const Ray& ray, Interval range, Stretch& out) {
+  const Ray local = e.to_world.inverse_ray(ray);
+  const dvec3 p = e.radial(local.origin);
+  const dvec3 d = e.radial(local.direction);
+  const double a = glm::dot(d, d);
+  double begin = range.lo;
+  double end = range.hi;
+  if (a > 0) {
+    const double middle = -glm::dot(p, d) / a;
+    const dvec3 nearest = p + middle * d;
+    const double h = 1 - glm::dot(nearest, nearest);
+    if (!(h > 0)) return false;
+    const double half = std::sqrt(h / a);
+    begin = std::max(begin, middle - half);
+    end = std::min(end, middle + half);
+  } else if (!(glm::dot(p, p) < 1)) {
+    return false;
+  }
+  if (e.piece != Piece::kBall) {
+    const double z = local.origin.z;
+    const double dz = local.direction.z;
+    const double lo = e.piece == Piece::kBaseBall ? -std::numeric_limits<double>::infinity() : 0;
+    const double hi = e.piece == Piece::kSide        ? 1
+                      : e.piece == Piece::kBaseBall ? 0
+                                                    : std::numeric_limits<double>::infinity();
+    if (dz == 0) {
+      if (z < lo || z > hi) return false;
+    } else {
+      const double t0 = (lo - z) / dz;
+      const double t1 = (hi - z) / dz;
+      begin = std::max(begin, std::min(t0, t1));
+      end = std::min(end, std::max(t0, t1));
+    }
+  }
+  if (!(begin < end)) return false;
+  // Closeness about `begin`.
+  const dvec3 q = p + begin * d;
+  out = {begin, end, e.strength, {1 - glm::dot(q, q), -2 * glm::dot(q, d), -a}};
+  return true;
+}
+
+class BlobSurface final : public ScannedShape<BlobSurface> {
+ public:
+  BlobSurface(const Blob& blob, const Transform& to_world) : threshold_(blob.threshold), mixes_(blob.mixes_textures()) {
+    for (std::uint32_t i = 0; i < blob.components.size(); ++i) add_component(blob.components[i], i, to_world);
+  }
+
+  template <class Sink>
+  void scan(const Ray& ray, Interval range, Sink&& sink) const {
+    range.lo = std::max(range.lo, kNearest);
+    thread_local std::vector<Stretch> stretches;
+    thread_local std::vector<double> ends;
+    stretches.clear();
+    ends.clear();
+    for (const Element& element : elements_) {
+      Stretch stretch;
+      if (!cross_element(element, ray, range, stretch)) continue;
+      stretches.push_back(stretch);
+      ends.push_back(stretch.begin);
+      ends.push_back(stretch.end);
+    }
+    if (stretches.empty()) return;
+    std::sort(ends.begin(), ends.end());
+    std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) { return a.begin < b.begin; });
+    double last = -1;
+    std::size_t started = 0;  // stretches before this one have begun
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const double lo = ends[i];
+      const double hi = ends[i + 1];
+      if (!(hi > lo)) continue;
+      while (started < stretches.size() && stretches[started].begin <= lo) ++started;
+      const std::array<double, 5> c = density_along({stretches.data(), started}, lo);
+      const Interval within{0, hi - lo};
+      if (!may_have_root(c, within)) continue;
+      for (const double root : solve_quartic(c, within)) {
+        const double t = lo + root;
+        if (t <= last) continue;  // a root at a joint belongs to both sides
+        last = t;
+        if (t > kNearest && sink(t, 0)) return;
+      }
+    }
+  }
+
+  Aabb bounds() const override {
+    Aabb box;
+    for (const Element& e : elements_) {
+      if (!(e.strength > 0) || e.piece == Piece::kSide) continue;  // the balls at its ends bound a cylinder
+      dvec3 reach;
+      for (int axis = 0; axis < 3; ++axis)
+        reach[axis] = glm::length(dvec3(e.to_world.linear[0][axis], e.to_world.linear[1][axis], e.to_world.linear[2][axis]));
+      box.join({e.to_world.translation - reach, e.to_world.translation + reach});
+    }
+    return box;
+  }
+  bool inside(const dvec3& point) const override {
+    double density = 0;
+    for (const Element& e : elements_) density += density_at(e, point);
+    return density > threshold_ - kInsideTolerance;
+  }
+  dvec3 normal(const ShapeHit&, const dvec3& point) const override {
+    dvec3 sum(0);
+    for (const Element& e : elements_) {
+      const dvec3 local = e.to_world.inverse_point(point);
+      const double closeness = e.closeness(local);
+      if (closeness > 0) sum += 2 * e.strength * closeness * e.to_world.normal(e.radial(local));
+    }
+    const double length = glm::length(sum);
+    return length > 0 ? sum / length : dvec3(1, 0, 0);
+  }
+  void textures(const ShapeHit& hit, const dvec3& point, std::vector<TextureWeight>& out) const override {
+    if (!mixes_) return Shape::textures(hit, point, out);
+    const std::size_t first = out.size();
+    double total = 0;
+    for (const Element& e : elements_) {
+      const double density = std::abs(density_at(e, point));
+      if (density == 0) continue;
+      total += density;
+      if (out.size() > first && out.back().index == e.component) {
+        out.back().weight += static_cast<float>(density);
+      } else {
+        out.push_back({e.component, static_cast<float>(density)});
+      }
+    }
+    for (std::size_t i = first; i < out.size(); ++i) out[i].weight /= static_cast<float>(total);
+  }
+
+ private:
+  void add_component(const BlobComponent& component, std::uint32_t index, const Transform& blob_to_world) {
+    if (component.radius == 0 || component.strength == 0) return;
+    const double r = std::abs(component.radius);
+    const Transform to_world = component.transform.then(blob_to_world);
+    const auto add = [&](Piece piece, const Transform& frame) {
+      elements_.push_back({piece, index, component.strength, to_world.identity() ? frame : frame.then(to_world)});
+    };
+    if (component.kind == BlobComponent::Kind::kSphere) {
+      add(Piece::kBall, Transform::scale(dvec3(r)).then(Transform::translate(component.center)));
+      return;
+    }
+    const dvec3 axis = component.apex - component.center;
+    add(Piece::kSide, axis_frame(component.center, axis, r));
+    const dvec3 as_long_as_wide = r * glm::normalize(axis);
+    add(Piece::kBaseBall, axis_frame(component.center, as_long_as_wide, r));
+    add(Piece::kApexBall, axis_frame(component.apex, as_long_as_wide, r));
+  }
+
+  static double density_at(const Element& e, const dvec3& point) {
+    const double closeness = e.closeness(e.to_world.inverse_point(point));
+    return closeness > 0 ? e.strength * closeness * closeness : 0;
+  }
+
+  // The sum of the densities just behind the depth `lo`, less the threshold, about `lo`.
+  std::array<double, 5> density_along(std::span<const Stretch> begun, double lo) const {
+    std::array<double, 5> sum{-threshold_, 0, 0, 0, 0};
+    for (const Stretch& s : begun) {
+      if (!(s.end > lo)) continue;
+      const double shift = lo - s.begin;
+      const double q0 = (s.c[2] * shift + s.c[1]) * shift + s.c[0];
+      const double q1 = 2 * s.c[2] * shift + s.c[1];
+      const double q2 = s.c[2];
+      sum[0] += s.strength * q0 * q0;
+      sum[1] += s.strength * 2 * q0 * q1;
+      sum[2] += s.strength * (q1 * q1 + 2 * q0 * q2);
+      sum[3] += s.strength * 2 * q1 * q2;
+      sum[4] += s.strength * q2 * q2;
+    }
+    return sum;
+  }
+
+  double threshold_;
+  bool mixes_;
+  std::vector<Element> elements_;
+};
+
+}  // namespace
+
+bool Blob::mixes_textures() const {
+  return std::ranges::any_of(components, [](const BlobComponent& c) { return c.texture != nullptr; });
+}
+
+std::unique_ptr<Shape> build(const Blob& blob, const Transform& to_world, BuildContext&) {
+  return std::make_unique<BlobSurface>(blob, to_world);
+}
+
+}  // namespace lute

@@ -1,0 +1,253 @@
+#include "engine/shape/prism.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/math/polynomial.hpp"
+#include "engine/shape/scanned_shape.hpp"
+
+namespace lute {
+
+namespace {
+
+constexpr Interval kSegment{-1e-10, 1 + 1e-10};
+
+bool same_point(const dvec2& a, const dvec2& b) { return std::abs(a.x - b.x) < kEpsilon && std::abs(a.y - b.y) < kEpsilon; }
+
+PrismOutline linear_outline(const std::vector<dvec2>& p) {
+  PrismOutline outline;
+  for (std::size_t i = 0; i < p.size();) {
+    const dvec2 start = p[i];
+    std::size_t k = i + 1;
+    for (; k < p.size(); ++k) {
+      outline.segments.push_back(linear_segment(p[k - 1], p[k]));
+      if (same_point(p[k], start)) break;
+    }
+    if (k == p.size()) {
+      outline.closed = false;
+      outline.segments.push_back(linear_segment(p[k - 1], start));
+    }
+    i = k + 1;
+  }
+  return outline;
+}
+
+// Quadratic and cubic sub-curves: a leading point, the start, and on until a segment ends at the start.
+PrismOutline steered_outline(const std::vector<dvec2>& p, bool cubic) {
+  PrismOutline outline;
+  const std::size_t trailing = cubic ? 1 : 0;
+  std::size_t i = 0;
+  while (i < p.size()) {
+    bool complete = false;
+    for (std::size_t k = i; k + 2 + trailing < p.size() && !complete; ++k) {
+      outline.segments.push_back(cubic ? cubic_segment(p[k], p[k + 1], p[k + 2], p[k + 3])
+                                       : quadratic_segment(p[k], p[k + 1], p[k + 2]));
+      complete = same_point(p[k + 2], p[i + 1]);
+      if (complete) i = k + 3 + trailing;
+    }
+    if (!complete) return {{}, false};
+  }
+  return outline;
+}
+
+PrismOutline bezier_outline(const std::vector<dvec2>& p) {
+  PrismOutline outline;
+  dvec2 start = p.empty() ? dvec2(0) : p[0];
+  for (std::size_t i = 0; i + 4 <= p.size(); i += 4) {
+    if (i > 0 && !same_point(p[i], p[i - 1])) {
+      if (!same_point(p[i - 1], start)) return {{}, false};
+      start = p[i];
+    }
+    outline.segments.push_back(bezier_segment(p[i + 3], p[i + 2], p[i + 1], p[i]));  // runs backwards, as the reference's
+  }
+  if (p.size() < 4 || !same_point(p[p.size() / 4 * 4 - 1], start)) return {{}, false};
+  return outline;
+}
+
+struct PrismSegment {
+  PlanarSegment curve;
+  Interval x, z;
+};
+
+enum Part : std::uint32_t { kCaps, kFirstSegment };
+
+// A hit on a side keeps the segment in its part and the curve's parameter.
+class SweptOutline final : public ScannedShape<SweptOutline> {
+ public:
+  SweptOutline(const Prism& prism, const Transform& to_world)
+      : conic_(prism.conic),
+        open_(prism.open),
+        low_(std::min(prism.height_1, prism.height_2)),
+        high_(std::max(prism.height_1, prism.height_2)),
+        to_world_(to_world) {
+    degree_ = prism.spline == PlanarSpline::kLinear ? 1 : prism.spline == PlanarSpline::kQuadratic ? 2 : 3;
+    x_ = z_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const PlanarSegment& curve : prism_outline(prism).segments) {
+      segments_.push_back({curve, curve.range(0), curve.range(1)});
+      x_ = {std::min(x_.lo, segments_.back().x.lo), std::max(x_.hi, segments_.back().x.hi)};
+      z_ = {std::min(z_.lo, segments_.back().z.lo), std::max(z_.hi, segments_.back().z.hi)};
+    }
+  }
+
+  template <class Sink>
+  void scan(const Ray& ray, Interval, Sink&& sink) const {
+    Ray local = to_world_.inverse_ray(ray);
+    const double length = glm::length(local.direction);
+    local.direction /= length;
+    const double dy = local.direction.y;
+    if (std::abs(dy) < kEpsilon && (local.origin.y < low_ || local.origin.y > high_)) return;
+    if (!open_ && std::abs(dy) >= kEpsilon) {
+      for (const double height : {high_, low_}) {
+        const double t = (height - local.origin.y) / dy;
+        const dvec3 p = local.at(t);
+        if (in_section(p.x, p.z, height)) sink(t / length, kCaps);
+      }
+    }
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      const auto emit = [&](double t, double w) {
+        const double y = local.origin.y + t * dy;
+        if (y >= low_ && y <= high_)
+          sink(t / length, kFirstSegment + static_cast<std::uint32_t>(i), std::array<double, 3>{w, 0, 0});
+      };
+      if (conic_) {
+        scan_conic_side(segments_[i], local, emit);
+      } else {
+        scan_side(segments_[i], local, emit);
+      }
+    }
+  }
+
+  Aabb bounds() const override {
+    if (segments_.empty()) return {};
+    Aabb box;
+    for (const double height : {low_, high_}) {
+      const double k = conic_ ? height : 1;
+      box.join({k * x_.lo, height, k * z_.lo});
+      box.join({k * x_.hi, height, k * z_.hi});
+    }
+    return to_world_.box(box);
+  }
+  bool inside(const dvec3& point) const override {
+    const dvec3 p = to_world_.inverse_point(point);
+    return p.y >= low_ && p.y < high_ && in_section(p.x, p.z, p.y);
+  }
+  dvec3 normal(const ShapeHit& hit, const dvec3& point) const override {
+    if (hit.part == kCaps) return glm::normalize(to_world_.normal({0, 1, 0}));
+    const dvec2 tangent = segments_[hit.part - kFirstSegment].curve.tangent(hit.data[0]);
+    dvec3 n(tangent.y, 0, -tangent.x);
+    if (conic_) {
+      const dvec3 p = to_world_.inverse_point(point);
+      if (std::abs(p.y) > kEpsilon) {
+        n.y = -(p.x * tangent.y - p.z * tangent.x) / p.y;
+      } else {
+        n = {0, 1, 0};
+      }
+    }
+    return glm::normalize(to_world_.normal(n));
+  }
+
+ private:
+  bool in_section(double x, double z, double height) const {
+    if (!conic_) return in_outline(x, z);
+    return std::abs(height) > kEpsilon && in_outline(x / height, z / height);
+  }
+
+  // Even-odd rule. A crossing is counted where a monotone stretch of the outline passes from above z to not above it, so that an
+  // outline which only touches the line z, or has a corner on it, is counted right.
+  bool in_outline(double x, double z) const {
+    if (!x_.contains(x) || !z_.contains(z)) return false;
+    bool odd = false;
+    for (const PrismSegment& segment : segments_) {
+      if (!segment.z.contains(z) || x > segment.x.hi) continue;
+      std::array<double, 4> c = segment.curve.coefficients(1);
+      c[0] -= z;
+      double from = 0;
+      const auto cross_until = [&](double to) {
+        const bool above_from = ((c[3] * from + c[2]) * from + c[1]) * from + c[0] > 0;
+        const bool above_to = to == 1 ? segment.curve.at(1).y > z : ((c[3] * to + c[2]) * to + c[1]) * to + c[0] > 0;
+        if (above_from != above_to) {
+          const Roots<3> roots = solve_cubic(c, {from, to});
+          odd ^= segment.curve.at(roots.count > 0 ? roots.t[0] : to).x >= x;
+        }
+        from = to;
+      };
+      if (degree_ > 1)
+        for (const double turn : solve_quadratic({c[1], 2 * c[2], 3 * c[3]}, {0, 1})) cross_until(turn);
+      cross_until(1);
+    }
+    return odd;
+  }
+
+  template <class Emit>
+  void scan_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
+    const dvec3& p = ray.origin;
+    const dvec3& d = ray.direction;
+    if (std::abs(d.x) <= kEpsilon && std::abs(d.z) <= kEpsilon) return;
+    // The four corners of the segment's rectangle on one side of the ray's line: no hit.
+    const auto side = [&](double x, double z) { return d.z * (x - p.x) - d.x * (z - p.z); };
+    const double s[] = {side(segment.x.lo, segment.z.lo), side(segment.x.hi, segment.z.lo), side(segment.x.lo, segment.z.hi),
+                        side(segment.x.hi, segment.z.hi)};
+    const auto [least, most] = std::minmax_element(std::begin(s), std::end(s));
+    const double slack = 1e-9 * (*most - *least);
+    if (*least > slack || *most < -slack) return;
+    const std::array<double, 4> x = segment.curve.coefficients(0);
+    const std::array<double, 4> z = segment.curve.coefficients(1);
+    std::array<double, 4> c;
+    for (std::size_t i = 0; i < 4; ++i) c[i] = d.z * x[i] - d.x * z[i];
+    c[0] -= d.z * p.x - d.x * p.z;
+    for (const double root : roots_on_segment(c)) {
+      const double w = std::clamp(root, 0.0, 1.0);
+      const dvec2 at = segment.curve.at(w);
+      emit(std::abs(d.x) > std::abs(d.z) ? (at.x - p.x) / d.x : (at.y - p.z) / d.z, w);
+    }
+  }
+
+  template <class Emit>
+  void scan_conic_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
+    const dvec3& p = ray.origin;
+    const dvec3& d = ray.direction;
+    const double k1 = p.z * d.y - p.y * d.z;
+    const double k2 = p.y * d.x - p.x * d.y;
+    const double k3 = p.x * d.z - p.z * d.x;
+    const std::array<double, 4> x = segment.curve.coefficients(0);
+    const std::array<double, 4> z = segment.curve.coefficients(1);
+    std::array<double, 4> c;
+    for (std::size_t i = 0; i < 4; ++i) c[i] = k1 * x[i] + k2 * z[i];
+    c[0] += k3;
+    for (const double root : roots_on_segment(c)) {
+      const double w = std::clamp(root, 0.0, 1.0);
+      const dvec2 at = segment.curve.at(w);
+      const double by_x = d.x - at.x * d.y;
+      const double by_z = d.z - at.y * d.y;
+      if (std::max(std::abs(by_x), std::abs(by_z)) <= kEpsilon) continue;
+      emit(std::abs(by_x) > std::abs(by_z) ? (at.x * p.y - p.x) / by_x : (at.y * p.y - p.z) / by_z, w);
+    }
+  }
+
+  Roots<3> roots_on_segment(const std::array<double, 4>& c) const { return solve_cubic(c, kSegment); }
+
+  std::vector<PrismSegment> segments_;
+  int degree_ = 1;
+  bool conic_, open_;
+  double low_, high_;
+  Interval x_, z_;
+  Transform to_world_;
+};
+
+}  // namespace
+
+PrismOutline prism_outline(const Prism& prism) {
+  switch (prism.spline) {
+    case PlanarSpline::kLinear: return linear_outline(prism.points);
+    case PlanarSpline::kQuadratic: return steered_outline(prism.points, false);
+    case PlanarSpline::kCubic: return steered_outline(prism.points, true);
+    case PlanarSpline::kBezier: break;
+  }
+  return bezier_outline(prism.points);
+}
+
+std::unique_ptr<Shape> build(const Prism& prism, const Transform& to_world, BuildContext&) {
+  return std::make_unique<SweptOutline>(prism, to_world);
+}
+
+}  // namespace lute

@@ -1,0 +1,254 @@
+#include "engine/shape/sphere_sweep.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/math/polynomial.hpp"
+#include "engine/shape/scanned_shape.hpp"
+
+namespace lute {
+
+namespace {
+
+constexpr double kMaxDepth = 1e7;
+constexpr Interval kSegment{0, 1};
+
+// Products of polynomials, ascending. The sizes are small and fixed: the compiler unrolls them.
+template <std::size_t A, std::size_t B>
+std::array<double, A + B - 1> product(const std::array<double, A>& a, const std::array<double, B>& b) {
+  std::array<double, A + B - 1> c{};
+  for (std::size_t i = 0; i < A; ++i)
+    for (std::size_t j = 0; j < B; ++j) c[i + j] += a[i] * b[j];
+  return c;
+}
+
+template <std::size_t N>
+std::array<double, N - 1> derivative(const std::array<double, N>& a) {
+  std::array<double, N - 1> c;
+  for (std::size_t i = 0; i + 1 < N; ++i) c[i] = static_cast<double>(i + 1) * a[i + 1];
+  return c;
+}
+
+// Centre and radius as cubics of u in [0, 1].
+struct SweepSegment {
+  std::array<dvec3, 4> center;
+  std::array<double, 4> radius;
+
+  dvec3 center_at(double u) const { return ((center[3] * u + center[2]) * u + center[1]) * u + center[0]; }
+  double radius_at(double u) const { return ((radius[3] * u + radius[2]) * u + radius[1]) * u + radius[0]; }
+  dvec3 center_slope(double u) const { return (3.0 * center[3] * u + 2.0 * center[2]) * u + center[1]; }
+  double radius_slope(double u) const { return (3 * radius[3] * u + 2 * radius[2]) * u + radius[1]; }
+};
+
+// The basis of chapter 20 §5.14, for a value of any kind.
+template <class Value>
+std::array<Value, 4> interpolate(SphereSweep::Spline spline, const Value& p0, const Value& p1, const Value& p2, const Value& p3) {
+  switch (spline) {
+    case SphereSweep::Spline::kLinear: return {p1, p2 - p1, Value(0), Value(0)};
+    case SphereSweep::Spline::kCubic:
+      return {p1, 0.5 * (p2 - p0), 0.5 * (2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3), 0.5 * (3.0 * (p1 - p2) + p3 - p0)};
+    case SphereSweep::Spline::kBSpline: break;
+  }
+  return {(p0 + 4.0 * p1 + p2) / 6.0, 0.5 * (p2 - p0), 0.5 * (p0 - 2.0 * p1 + p2), (3.0 * (p1 - p2) + p3 - p0) / 6.0};
+}
+
+// |q - c(u)|² - r(u)² as a polynomial of u.
+std::array<double, 7> sphere_power(const SweepSegment& s, const dvec3& q) {
+  std::array<double, 7> sum{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::array<double, 4> w{s.center[0][axis] - q[axis], s.center[1][axis], s.center[2][axis], s.center[3][axis]};
+    const std::array<double, 7> square = product(w, w);
+    for (std::size_t i = 0; i < 7; ++i) sum[i] += square[i];
+  }
+  const std::array<double, 7> square = product(s.radius, s.radius);
+  for (std::size_t i = 0; i < 7; ++i) sum[i] -= square[i];
+  return sum;
+}
+
+struct Candidate {
+  double t;
+  dvec3 normal;
+};
+using Candidates = std::vector<Candidate>;
+
+void add_sphere(const Ray& ray, const dvec3& center, double radius, Candidates& out) {
+  const dvec3 w = center - ray.origin;
+  const double q = glm::dot(w, w);
+  const double b = glm::dot(w, ray.direction);
+  if (q >= radius * radius && b < kEpsilon) return;
+  const dvec3 apart = w - b * ray.direction;
+  const double h = radius * radius - glm::dot(apart, apart);
+  if (!(h > kEpsilon * radius * radius)) return;
+  for (const double t : {b - std::sqrt(h), b + std::sqrt(h)})
+    if (std::abs(t) < kMaxDepth) out.push_back({t, (ray.at(t) - center) / radius});
+}
+
+// The plane through the circle in which the envelope touches the sphere at one end of a segment.
+void add_closing_plane(const Ray& ray, const SweepSegment& s, double u, Candidates& out) {
+  const dvec3 slope = s.center_slope(u);
+  const double speed = glm::dot(ray.direction, slope);
+  if (std::abs(speed) <= kEpsilon) return;
+  const dvec3 center = s.center_at(u);
+  const double radius = s.radius_at(u);
+  const double t = -(glm::dot(ray.origin - center, slope) + radius * s.radius_slope(u)) / speed;
+  const dvec3 from_center = ray.at(t) - center;
+  if (std::abs(t) >= kMaxDepth || !(glm::dot(from_center, from_center) < radius * radius)) return;
+  out.push_back({t, (u == 0 ? -1.0 : 1.0) * glm::normalize(slope)});
+}
+
+// A hit keeps its normal.
+class Sweep final : public ScannedShape<Sweep> {
+ public:
+  Sweep(const SphereSweep& sweep, const Transform& to_world)
+      : spline_(sweep.spline), tolerance_(sweep.tolerance), to_world_(to_world) {
+    const auto& p = sweep.balls;
+    const bool linear = spline_ == SphereSweep::Spline::kLinear;
+    const std::size_t segments = linear ? p.size() - 1 : p.size() - 3;
+    for (std::size_t i = 0; i < segments; ++i) {
+      const auto& a = linear ? p[i] : p[i + 1];
+      const auto& b = linear ? p[i + 1] : p[i + 2];
+      const auto& before = linear ? a : p[i];
+      const auto& after = linear ? b : p[i + 3];
+      segments_.push_back({interpolate(spline_, before.center, a.center, b.center, after.center),
+                           interpolate(spline_, before.radius, a.radius, b.radius, after.radius)});
+    }
+  }
+
+  template <class Sink>
+  void scan(const Ray& ray, Interval, Sink&& sink) const {
+    Ray local = to_world_.inverse_ray(ray);
+    const double length = glm::length(local.direction);
+    local.direction /= length;
+    thread_local Candidates candidates;
+    candidates.clear();
+    collect(local, candidates);
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.t < b.t; });
+    int depth = 1;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const Candidate& c = candidates[i];
+      bool keep = true;
+      if (i != 0 && i + 1 != candidates.size()) {
+        const bool enters = glm::dot(c.normal, local.direction) < 0;
+        keep = depth == (enters ? 0 : 1);
+        depth += enters ? 1 : -1;
+      }
+      if (keep && c.t / length > tolerance_)
+        sink(c.t / length, 0, std::array<double, 3>{c.normal.x, c.normal.y, c.normal.z});
+    }
+  }
+
+  Aabb bounds() const override {
+    Aabb box;
+    for (const SweepSegment& s : segments_) {
+      Aabb part;
+      for (int axis = 0; axis < 3; ++axis) {
+        std::array<double, 4> low, high;
+        for (std::size_t i = 0; i < 4; ++i) {
+          low[i] = s.center[i][axis] - s.radius[i];
+          high[i] = s.center[i][axis] + s.radius[i];
+        }
+        const Interval l = cubic_value_range(low, kSegment);
+        const Interval h = cubic_value_range(high, kSegment);
+        part.lo[axis] = std::min(l.lo, h.lo);
+        part.hi[axis] = std::max(l.hi, h.hi);
+      }
+      box.join(part);
+    }
+    return to_world_.box(box);
+  }
+  bool inside(const dvec3& point) const override {
+    const dvec3 p = to_world_.inverse_point(point);
+    return std::ranges::any_of(segments_, [&](const SweepSegment& s) {
+      const std::array<double, 7> power = sphere_power(s, p);
+      if (spline_ == SphereSweep::Spline::kLinear)
+        return solve_quadratic({power[0], power[1], power[2]}, kSegment).count > 0;
+      return may_have_root(power, kSegment) && solve_polynomial(power, kSegment).count > 0;
+    });
+  }
+  dvec3 normal(const ShapeHit& hit, const dvec3&) const override {
+    return glm::normalize(to_world_.normal({hit.data[0], hit.data[1], hit.data[2]}));
+  }
+
+ private:
+  void collect(const Ray& ray, Candidates& out) const {
+    for (const SweepSegment& s : segments_) add_sphere(ray, s.center_at(0), s.radius_at(0), out);
+    add_sphere(ray, segments_.back().center_at(1), segments_.back().radius_at(1), out);
+    for (const SweepSegment& s : segments_) {
+      add_closing_plane(ray, s, 0, out);
+      add_closing_plane(ray, s, 1, out);
+    }
+    for (const SweepSegment& s : segments_) {
+      // The polynomials are set up about the ray's point nearest to the segment.
+      const double shift = glm::dot(s.center_at(0.5) - ray.origin, ray.direction);
+      const Ray near{ray.at(shift), ray.direction};
+      const std::size_t first = out.size();
+      if (spline_ == SphereSweep::Spline::kLinear) {
+        add_linear_side(near, s, out);
+      } else {
+        add_curved_side(near, s, out);
+      }
+      for (std::size_t i = first; i < out.size(); ++i) out[i].t += shift;
+    }
+  }
+
+  // With t² + B t + C = |O + tD - c(u)|² - r(u)², the envelope's parameters solve C'² - B B' C' + B'² C = 0.
+  static void add_linear_side(const Ray& ray, const SweepSegment& s, Candidates& out) {
+    const std::array<double, 7> power = sphere_power(s, ray.origin);
+    const std::array<double, 3> c{power[0], power[1], power[2]};
+    const std::array<double, 2> b{2 * glm::dot(ray.direction, ray.origin - s.center[0]), -2 * glm::dot(ray.direction, s.center[1])};
+    const std::array<double, 2> dc = derivative(c);
+    const double db = b[1];
+    const std::array<double, 3> dc2 = product(dc, dc);
+    const std::array<double, 3> b_dc = product(b, dc);
+    std::array<double, 3> e;
+    for (std::size_t i = 0; i < 3; ++i) e[i] = dc2[i] - db * b_dc[i] + db * db * c[i];
+    for (const double u : solve_quadratic(e, kSegment)) {
+      const dvec3 center = s.center_at(u);
+      if (std::abs(db) > 1e-4) {
+        const double t = -(dc[0] + dc[1] * u) / db;
+        out.push_back({t, glm::normalize(ray.at(t) - center)});
+      } else {
+        add_whole_sphere(ray, center, s.radius_at(u), out);
+      }
+    }
+  }
+
+  static void add_curved_side(const Ray& ray, const SweepSegment& s, Candidates& out) {
+    const std::array<double, 7> c = sphere_power(s, ray.origin);
+    std::array<double, 4> b;
+    for (std::size_t i = 0; i < 4; ++i)
+      b[i] = 2 * glm::dot(ray.direction, (i == 0 ? ray.origin : dvec3(0)) - s.center[i]);
+    const std::array<double, 6> dc = derivative(c);
+    const std::array<double, 3> db = derivative(b);
+    std::array<double, 11> e = product(dc, dc);
+    const auto b_db_dc = product(product(b, db), dc);
+    const auto db2_c = product(product(db, db), c);
+    for (std::size_t i = 0; i < b_db_dc.size(); ++i) e[i] += db2_c[i] - b_db_dc[i];
+    if (!may_have_root(e, kSegment)) return;
+    for (const double u : solve_polynomial(e, kSegment)) add_whole_sphere(ray, s.center_at(u), s.radius_at(u), out);
+  }
+
+  // Both hits, wherever the origin is: the ray has been moved.
+  static void add_whole_sphere(const Ray& ray, const dvec3& center, double radius, Candidates& out) {
+    const dvec3 w = center - ray.origin;
+    const double b = glm::dot(w, ray.direction);
+    const dvec3 apart = w - b * ray.direction;
+    const double h = radius * radius - glm::dot(apart, apart);
+    if (!(h > kEpsilon * radius * radius)) return;
+    for (const double t : {b - std::sqrt(h), b + std::sqrt(h)}) out.push_back({t, (ray.at(t) - center) / radius});
+  }
+
+  SphereSweep::Spline spline_;
+  std::vector<SweepSegment> segments_;
+  double tolerance_;
+  Transform to_world_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> build(const SphereSweep& sweep, const Transform& to_world, BuildContext&) {
+  return std::make_unique<Sweep>(sweep, to_world);
+}
+
+}  // namespace lute

@@ -1,0 +1,182 @@
+#include "engine/shape/superellipsoid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/shape/scanned_shape.hpp"
+
+namespace lute {
+
+namespace {
+
+constexpr double kReach = 1.01;      // half side of the box the ray is cut to
+constexpr double kOnSurface = 1e-10;
+
+// (u^q + v^q)^(1/q) for u, v >= 0.
+double p_norm(double u, double v, double q) {
+  const double m = std::max(u, v);
+  if (m == 0) return 0;
+  return m * std::pow(1 + std::pow(std::min(u, v) / m, q), 1 / q);
+}
+
+class RoundedBox final : public ScannedShape<RoundedBox> {
+ public:
+  RoundedBox(const Superellipsoid& shape, const Transform& to_world)
+      : alpha_(2 / shape.east_west), gamma_(2 / shape.north_south), to_world_(to_world) {}
+
+  template <class Sink>
+  void scan(const Ray& ray, Interval range, Sink&& sink) const {
+    Ray local = to_world_.inverse_ray(ray);
+    const double length = glm::length(local.direction);
+    local.direction /= length;
+    Interval stretch{range.lo * length, range.hi * length};
+    if (!cut_by_box(local, stretch)) return;
+    std::array<double, 11> samples;
+    const std::size_t count = sample_depths(local, stretch, samples);
+    double f_before = value(local.at(samples[0]));
+    if (std::abs(f_before) < kOnSurface) sink(samples[0] / length, 0);
+    for (std::size_t i = 1; i < count; ++i) {
+      const double before = samples[i - 1];
+      const double here = samples[i];
+      const double f = value(local.at(here));
+      if (std::abs(f) < kOnSurface) {
+        sink(here / length, 0);
+      } else if (f_before * f < 0 && std::abs(f_before) >= kOnSurface) {
+        sink(crossing(local, before, here, f_before) / length, 0);
+      } else if (f_before > 0 && f > 0) {
+        double dip = 0;
+        if (finds_dip(local, before, here, dip)) {
+          sink(crossing(local, before, dip, f_before) / length, 0);
+          sink(crossing(local, dip, here, -1) / length, 0);
+        }
+      }
+      f_before = f;
+    }
+  }
+
+  Aabb bounds() const override { return to_world_.box({dvec3(-1.0001), dvec3(1.0001)}); }
+  bool inside(const dvec3& point) const override { return value(to_world_.inverse_point(point)) < kOnSurface; }
+  dvec3 normal(const ShapeHit&, const dvec3& point) const override {
+    const dvec3 n = to_world_.normal(gradient(to_world_.inverse_point(point)));
+    const double length = glm::length(n);
+    return length > 0 ? n / length : dvec3(1, 0, 0);
+  }
+
+ private:
+  double value(const dvec3& p) const {
+    return p_norm(p_norm(std::abs(p.x), std::abs(p.y), alpha_), std::abs(p.z), gamma_) - 1;
+  }
+
+  // Along the outward normal on the surface, of any length.
+  dvec3 gradient(const dvec3& p) const {
+    const double x = std::abs(p.x);
+    const double y = std::abs(p.y);
+    const double zeta = std::pow(std::abs(p.z), gamma_);
+    const auto over = [](double share, double coordinate) { return coordinate == 0 ? 0 : share / coordinate; };
+    const double rho = x > y ? std::pow(y / x, alpha_) : y > 0 ? std::pow(x / y, alpha_) : 1;
+    const double rest = 1 - zeta;
+    return {over(x > y ? rest : rest * rho, p.x), over(x > y ? rest * rho : rest, p.y), over(zeta, p.z) * (1 + rho)};
+  }
+
+  static bool cut_by_box(const Ray& ray, Interval& stretch) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double p = ray.origin[axis];
+      const double d = ray.direction[axis];
+      if (d == 0) {
+        if (std::abs(p) > kReach) return false;
+        continue;
+      }
+      double near = (-kReach - p) / d;
+      double far = (kReach - p) / d;
+      if (near > far) std::swap(near, far);
+      stretch = {std::max(stretch.lo, near), std::min(stretch.hi, far)};
+    }
+    return !stretch.empty();
+  }
+
+  // The ends of the stretch and its crossings with the nine planes of symmetry, ascending.
+  static std::size_t sample_depths(const Ray& ray, Interval stretch, std::array<double, 11>& samples) {
+    static const std::array<dvec3, 9> kPlanes{dvec3(1, 1, 0), dvec3(1, -1, 0), dvec3(1, 0, 1), dvec3(1, 0, -1), dvec3(0, 1, 1),
+                                              dvec3(0, 1, -1), dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)};
+    samples[0] = stretch.lo;
+    samples[1] = stretch.hi;
+    std::size_t count = 2;
+    for (const dvec3& plane : kPlanes) {
+      const double t = -glm::dot(plane, ray.origin) / glm::dot(plane, ray.direction);
+      if (t > stretch.lo && t < stretch.hi) samples[count++] = t;
+    }
+    std::sort(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count));
+    return count;
+  }
+
+  // Golden section search for a point with a negative value between two points with positive ones, ended early where the value
+  // falls towards an end: then the least value is that end's.
+  bool finds_dip(const Ray& ray, double lo, double hi, double& dip) const {
+    constexpr double kGolden = 0.3819660112501051;
+    const double width = hi - lo;
+    if (!(width > 0)) return false;
+    const auto f = [&](double t) { return value(ray.at(t)); };
+    const double step = 1e-4 * width;
+    if (f(lo + step) >= f(lo) || f(hi - step) >= f(hi)) return false;
+    double a = lo + kGolden * width;
+    double b = hi - kGolden * width;
+    double fa = f(a);
+    double fb = f(b);
+    while (hi - lo > 1e-9 * width) {
+      if (fa < 0 || fb < 0) {
+        dip = fa < 0 ? a : b;
+        return true;
+      }
+      if (fa < fb) {
+        hi = b;
+        b = a;
+        fb = fa;
+        a = lo + kGolden * (hi - lo);
+        fa = f(a);
+      } else {
+        lo = a;
+        a = b;
+        fa = fb;
+        b = hi - kGolden * (hi - lo);
+        fb = f(b);
+      }
+    }
+    return false;
+  }
+
+  // Illinois regula falsi between points of opposite sign.
+  double crossing(const Ray& ray, double lo, double hi, double sign_lo) const {
+    double f_lo = value(ray.at(lo));
+    double f_hi = value(ray.at(hi));
+    if (f_lo * sign_lo < 0) return lo;
+    for (int step = 0; step < 100 && hi - lo > 4e-16 * std::abs(hi); ++step) {
+      double t = step % 3 == 2 ? 0.5 * (lo + hi) : hi - f_hi * (hi - lo) / (f_hi - f_lo);
+      if (!(t > lo && t < hi)) t = 0.5 * (lo + hi);
+      const double f = value(ray.at(t));
+      if (std::abs(f) < 1e-15) return t;
+      if ((f < 0) == (f_lo < 0)) {
+        lo = t;
+        f_lo = f;
+        f_hi *= 0.5;
+      } else {
+        hi = t;
+        f_hi = f;
+        f_lo *= 0.5;
+      }
+      if (std::abs(hi - lo) < 1e-13) break;
+    }
+    return 0.5 * (lo + hi);
+  }
+
+  double alpha_, gamma_;
+  Transform to_world_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> build(const Superellipsoid& shape, const Transform& to_world, BuildContext&) {
+  return std::make_unique<RoundedBox>(shape, to_world);
+}
+
+}  // namespace lute

@@ -33,6 +33,7 @@ struct Object {
   Transform transform;  // this object's own modifiers, in order; the shape, or all children, are moved by it
 
   TextureOnObject texture, interior_texture;
+  TexturePtr default_texture;  // of a top-level object: the default in force at its end, for parts without texture; null: built-in
   bool uv_mapping = false;
   InteriorPtr interior;
   std::vector<ObjectPtr> clipped_by;  // at their final place in this object's parent space

@@ -1,0 +1,48 @@
+// What a scene needs to be rendered, and why. What is not needed is not built and not tested for at any ray.
+// `lute --explain` prints the plan.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/build/built_scene.hpp"
+#include "engine/scene/scene.hpp"
+
+namespace lute {
+
+struct PlanItem {
+  std::string group;     // "rays", "shading", "lights", "shapes", "patterns", "passes", "buffers"
+  std::string name;
+  bool needed = false;
+  std::string reason;    // "needed because ..." or why it can be left out
+  SourceLocation where;  // line 0: the reason has no place in the text
+};
+
+struct RenderPlan {
+  // Read by the tracer.
+  bool lights = false;            // some light shines
+  bool shadows = false;           // some light casts shadows and quality asks for them
+  bool filtered_shadows = false;  // some object lets light through: shadow rays have to gather colours
+  bool area_lights = false;
+  bool transmission = false;      // some surface lets a ray pass
+  bool reflection = false;
+  bool normals = false;           // some normal pattern perturbs
+  bool highlights = false;        // phong or specular
+  bool iridescence = false;
+  bool sky_sphere = false;
+  bool fog = false;
+  bool rainbow = false;
+  bool light_groups = false;
+  bool volume_effects = false;    // fog, rainbow or media: rays have to know whether they are hollow
+
+  std::vector<PlanItem> items;
+
+  // One line an item, grouped: "shadow rays    needed because light_source casts shadows (scene.pov:12)".
+  std::string text(const Scene& scene) const;
+  // An array of {"group", "name", "needed", "reason", "file", "line"}.
+  std::string json(const Scene& scene) const;
+};
+
+RenderPlan make_plan(const Scene& scene, const BuildOptions& options = {});
+
+}  // namespace lute

@@ -1,0 +1,107 @@
+#include "engine/accel/scene_tree.hpp"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "engine/csg/leaf_solid.hpp"
+#include "engine/shape/sphere.hpp"
+
+namespace lute {
+namespace {
+
+class NoSharing final : public BuildContext {
+ public:
+  std::shared_ptr<const void> find_shared(const void*) const override { return nullptr; }
+  void store_shared(const void*, std::shared_ptr<const void>) override {}
+};
+
+std::unique_ptr<Solid> sphere(const dvec3& center, double radius) {
+  NoSharing context;
+  auto leaf = std::make_unique<Leaf>();
+  leaf->shape = build(Sphere{center, radius}, Transform(), context);
+  leaf->opaque = true;
+  return std::make_unique<LeafSolid>(std::move(leaf));
+}
+
+struct Spheres {
+  std::vector<std::unique_ptr<Solid>> owned;
+  std::vector<const Solid*> solids;
+  void add(const dvec3& center, double radius) {
+    owned.push_back(sphere(center, radius));
+    solids.push_back(owned.back().get());
+  }
+};
+
+// The oracle asks every solid in turn.
+bool nearest_of_all(const Spheres& spheres, const Ray& ray, Interval range, Hit& hit) {
+  bool found = false;
+  for (const Solid* solid : spheres.solids) {
+    Hit candidate;
+    if (!solid->nearest(ray, range, RayKind(), candidate) || (found && !(candidate.t < hit.t))) continue;
+    hit = candidate;
+    found = true;
+  }
+  return found;
+}
+
+TEST(SceneTree, FindsWhatAskingEverySolidFinds) {
+  for (const double scale : {1e-3, 1.0, 1e5}) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    Spheres spheres;
+    for (int i = 0; i < 300; ++i)
+      spheres.add(scale * dvec3(unit(random), unit(random), unit(random)), scale * 0.05 * (1.1 + unit(random)));
+    const SceneTree tree(spheres.solids);
+    Counters counters;
+    int hits = 0;
+    for (int i = 0; i < 3000; ++i) {
+      const dvec3 origin = 2 * scale * dvec3(unit(random), unit(random), unit(random));
+      const dvec3 target = scale * dvec3(unit(random), unit(random), unit(random));
+      const Ray ray{origin, glm::normalize(target - origin)};
+      const Interval range{1e-4, 1e7};
+      Hit expected, actual;
+      const bool found = nearest_of_all(spheres, ray, range, expected);
+      ASSERT_EQ(tree.nearest(ray, range, RayKind(), actual, counters), found);
+      EXPECT_EQ(tree.any_opaque(ray, range, counters), found);
+      if (!found) continue;
+      ++hits;
+      EXPECT_EQ(actual.t, expected.t);
+      EXPECT_EQ(actual.leaf, expected.leaf);
+    }
+    EXPECT_GT(hits, 300);  // the comparison has met something
+  }
+}
+
+// Specification chapter 20 §2.3: among exactly coincident surfaces the first declared wins.
+TEST(SceneTree, FirstDeclaredWinsExactTies) {
+  Spheres spheres;
+  for (int i = 0; i < 9; ++i) spheres.add({0, 0, 0}, 1);
+  const SceneTree tree(spheres.solids);
+  Counters counters;
+  Hit hit;
+  ASSERT_TRUE(tree.nearest({{0, 0, -5}, {0, 0, 1}}, {1e-4, 1e7}, RayKind(), hit, counters));
+  std::vector<const Leaf*> leaves;
+  spheres.solids[0]->leaves(leaves);
+  EXPECT_EQ(hit.leaf, leaves[0]);
+}
+
+TEST(SceneTree, AxisParallelRaysWithNegativeZeroMeetTheirBoxes) {
+  Spheres spheres;
+  for (int i = -3; i <= 3; ++i) spheres.add({2.5 * i, 0, 0}, 1);
+  const SceneTree tree(spheres.solids);
+  Counters counters;
+  Hit hit;
+  EXPECT_TRUE(tree.nearest({{5, 0, -5}, {-0.0, 0.0, 1}}, {1e-4, 1e7}, RayKind(), hit, counters));
+  EXPECT_FALSE(tree.nearest({{3.75, 0.9, -5}, {-0.0, -0.0, 1}}, {1e-4, 1e7}, RayKind(), hit, counters));
+}
+
+TEST(SceneTree, EmptySceneHasNoHits) {
+  const SceneTree tree(std::span<const Solid* const>{});
+  Counters counters;
+  Hit hit;
+  EXPECT_FALSE(tree.nearest(Ray(), {0, 1}, RayKind(), hit, counters));
+}
+
+}  // namespace
+}  // namespace lute

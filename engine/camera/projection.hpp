@@ -1,0 +1,45 @@
+// Where the ray of an image position starts and points, for every camera type but mesh_camera.
+//
+// Image positions are in pixels: (0, 0) is the centre of the top left pixel, x to the right, y down. They may be
+// fractional and may lie outside the image (antialiasing asks for column and row -1). Width and height are those of the
+// whole image, also for partial renders. Some types have no ray at some positions (fisheye and omnimax outside of their
+// circle). Source: specification chapter 30 §1, §3.
+#pragma once
+
+#include "engine/math/ray.hpp"
+#include "engine/math/vec.hpp"
+#include "engine/scene/camera.hpp"
+
+namespace lute {
+
+// The camera's vectors with what every type derives from them. Angles in radians.
+struct View {
+  dvec3 location, direction, right, up;
+  dvec3 unit_direction, unit_right, unit_up;
+  double right_length, up_length;
+  double angle, horizontal_angle, vertical_angle;
+};
+
+// A ray before its direction is normalised: focal blur needs the length.
+struct ProjectedRay {
+  dvec3 origin{0};
+  dvec3 direction{0, 0, 1};
+  dvec2 pattern_point{0};  // where the camera's `normal` is evaluated (chapter 30 §3.3)
+};
+
+class Projection {
+ public:
+  Projection(const Camera& camera, int width, int height);
+
+  // False: the camera has no ray at this position.
+  bool project(dvec2 position, ProjectedRay& ray) const;
+
+  const View& view() const { return view_; }
+
+ private:
+  View view_;
+  CameraKind kind_;
+  double width_, height_;
+};
+
+}  // namespace lute

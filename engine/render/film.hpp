@@ -1,0 +1,31 @@
+// The picture while it is computed: five-channel colours in the scene's working space, never clipped.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/image/color.hpp"
+
+namespace lute {
+
+class Film {
+ public:
+  // Black and opaque everywhere.
+  Film(int width, int height)
+      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  Color& at(int x, int y) { return pixels_[index(x, y)]; }  // (0, 0) is the top left
+  const Color& at(int x, int y) const { return pixels_[index(x, y)]; }
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
+
+  int width_, height_;
+  std::vector<Color> pixels_;
+};
+
+}  // namespace lute

@@ -1,0 +1,64 @@
+// A file of the scene: its text, its tokens (made once, never changed) and its lines.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/scene/source_location.hpp"
+#include "parser/lexer/token.hpp"
+
+namespace lute {
+
+// Interns names. The reserved words come first: an id below Word::kWordListEnd is that word.
+class Names {
+ public:
+  Names();
+  NameId intern(std::string_view name);
+  std::string_view text(NameId id) const { return texts_[id]; }
+  std::size_t size() const { return texts_.size(); }
+  static bool is_word(NameId id) { return id < static_cast<NameId>(Word::kWordListEnd); }
+
+ private:
+  void grow();
+
+  std::deque<std::string> texts_;
+  std::vector<NameId> buckets_;  // open addressing; kFree where empty
+  static constexpr NameId kFree = 0xFFFFFFFF;
+};
+
+struct SourceFile {
+  std::string name;  // as it was found
+  std::string text;
+  std::uint32_t index = 0;  // in the file table
+  bool byte_order_mark = false;
+
+  std::vector<Token> tokens;         // ends with kEnd
+  std::vector<std::string> strings;  // of kString tokens
+  std::vector<std::string> errors;   // of the kError token, if there is one
+
+  // Where skipped regions end, by the index of their first token (parser/directives).
+  std::unordered_map<std::uint32_t, std::uint32_t> skip_targets;
+  // Compiled expressions by the index of their first token, 0: none (parser/expression). Empty until one is compiled.
+  std::vector<std::uint32_t> expression_codes;
+
+  SourceLocation locate(std::uint32_t offset) const;  // line and column, from 1
+  std::string_view line(std::uint32_t number) const;  // without its line end
+  std::uint32_t token_index(const Token* token) const { return static_cast<std::uint32_t>(token - tokens.data()); }
+
+ private:
+  void find_lines() const;
+  mutable std::vector<std::uint32_t> line_starts_;
+};
+
+// Fills tokens, strings and errors from the text. `main_file`: a byte order mark is skipped. Specification chapter 10 §1.
+void lex(SourceFile& file, Names& names, bool main_file);
+
+// One past the last byte of the token that starts at `offset`, for marking it.
+std::uint32_t token_end(const SourceFile& file, const Token& token);
+
+}  // namespace lute

@@ -64,6 +64,7 @@ using CameraPtr = std::shared_ptr<const Camera>;
 using FogPtr = std::shared_ptr<const Fog>;
 using RainbowPtr = std::shared_ptr<const Rainbow>;
 using SkySpherePtr = std::shared_ptr<const SkySphere>;
+using TransformPtr = std::shared_ptr<const Transform>;
 using ColorMapPtr = std::shared_ptr<const ColorMap>;
 using PigmentMapPtr = std::shared_ptr<const PigmentMap>;
 using NormalMapPtr = std::shared_ptr<const NormalMap>;
@@ -73,7 +74,7 @@ using SlopeMapPtr = std::shared_ptr<const SlopeMap>;
 using ValueVariant =
     std::variant<std::monostate, Number, String, ArrayPtr, SplinePtr, FunctionPtr, MacroPtr, UserFilePtr, ObjectPtr, TexturePtr,
                  PigmentPtr, NormalPtr, FinishPtr, InteriorPtr, MediaPtr, Density, MaterialPtr, CameraPtr, FogPtr, RainbowPtr,
-                 SkySpherePtr, Transform, ColorMapPtr, PigmentMapPtr, NormalMapPtr, TextureMapPtr, SlopeMapPtr, DensityMap>;
+                 SkySpherePtr, TransformPtr, ColorMapPtr, PigmentMapPtr, NormalMapPtr, TextureMapPtr, SlopeMapPtr, DensityMap>;
 
 struct Value : ValueVariant {
   using ValueVariant::ValueVariant;

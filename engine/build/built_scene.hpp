@@ -85,7 +85,6 @@ struct BuiltScene {
   void interiors_at(const dvec3& point, std::vector<const BuiltInterior*>& out) const;
 
   std::vector<std::pair<const Solid*, const BuiltInterior*>> containers;  // top-level solids with an inside
-  std::vector<TexturePtr> kept_textures;               // descriptions that live as long as their compiled forms
 };
 
 std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const BuildOptions& options = {});

@@ -1,0 +1,141 @@
+// Textures, interiors and flags: what comes down from the parents, and the default where nothing does.
+// Source: specification chapters 11 §11.2, §14.1 and 20 §6.4-6.5, §8.2.
+#include <algorithm>
+#include <type_traits>
+
+#include "engine/build/scene_builder.hpp"
+
+namespace lute {
+
+bool holds_texture(const Object& object) {
+  if (object.texture.texture != nullptr) return true;
+  const auto* csg = std::get_if<Csg>(&object.geometry);
+  return csg != nullptr && std::ranges::any_of(csg->children, [](const ObjectPtr& child) { return holds_texture(*child); });
+}
+
+SceneBuilder::Context SceneBuilder::resolve(const Object& object, const Context& parent) {
+  Context own = parent;
+  own.parent_to_world = parent.to_world;
+  own.to_world = object.transform.then(parent.to_world);
+  own.inverted = parent.inverted != object.inverse;
+  own.visibility.no_image |= object.no_image;
+  own.visibility.no_reflection |= object.no_reflection;
+  own.visibility.no_radiosity |= object.no_radiosity;
+  own.visibility.no_shadow |= object.no_shadow;
+  own.double_illuminate |= object.double_illuminate;
+
+  const auto* csg = std::get_if<Csg>(&object.geometry);
+  if (csg != nullptr) own.cutaway |= csg->cutaway_textures;
+  if (csg != nullptr && csg->operation == CsgOperation::kLightGroup) {
+    own.global_lights = parent.light_group >= 0 && parent.global_lights;
+    own.light_group = open_light_group(parent.light_group);
+  }
+  if (object.global_lights) own.global_lights = *object.global_lights;
+
+  if (std::holds_alternative<LightSource>(object.geometry)) {
+    pass_textures(object, parent, own);
+    return own;
+  }
+  // A shape keeps its own `hollow`; a combination's word reaches the shapes only where no outer one has spoken (§8.2).
+  if (csg == nullptr ? object.hollow.has_value() : !parent.hollow) own.hollow = object.hollow;
+  pass_textures(object, parent, own);
+  if (own.interior == nullptr || object.interior != nullptr) own.interior = new_interior(object.interior);
+  settle_interior(object, own);
+  return own;
+}
+
+void SceneBuilder::pass_textures(const Object& object, const Context& parent, Context& own) {
+  // A texture of a uv mapped object is not moved with the object, nor by the parents.
+  const auto placed = [&](const TextureOnObject& t) {
+    return Placed{t.texture, object.uv_mapping ? t.placement : t.placement.then(parent.to_world)};
+  };
+  const bool own_texture = object.texture.texture != nullptr;
+  const bool own_interior_texture = object.interior_texture.texture != nullptr;
+  own.uv_mapping = object.uv_mapping || (parent.uv_mapping && (!own_texture || !own_interior_texture));
+  if (own_texture) own.texture = placed(object.texture);
+  if (own_interior_texture) own.interior_texture = placed(object.interior_texture);
+
+  const bool light = std::holds_alternative<LightSource>(object.geometry);
+  if (own.texture.texture == nullptr && !light && !parent.stays_untextured && !holds_texture(object))
+    own.texture = {default_texture(), Transform()};
+}
+
+const TexturePtr& SceneBuilder::default_texture() {
+  if (default_texture_ == nullptr) {
+    auto built_in = std::make_shared<Texture>();
+    built_in->content = std::vector<TextureLayer>{{std::make_shared<Pigment>(), nullptr, std::make_shared<Finish>()}};
+    default_texture_ = std::move(built_in);
+  }
+  return default_texture_;
+}
+
+BuiltInterior* SceneBuilder::new_interior(const InteriorPtr& description) {
+  auto interior = std::make_unique<BuiltInterior>();
+  if (description != nullptr) {
+    const Interior& d = *description;
+    if (d.ior != 0) {
+      interior->ior = d.ior;
+      interior->dispersion = d.dispersion;
+    }
+    interior->dispersion_samples = d.dispersion_samples;
+    interior->caustics = d.caustics;
+    interior->fade_distance = d.fade_distance;
+    interior->fade_power = d.fade_power;
+    interior->fade_color = d.fade_color;
+    interior->refraction = d.refraction;
+    interior->media = d.media;
+    interior->where = d.where;
+  }
+  built_.interiors.push_back(std::move(interior));
+  return built_.interiors.back().get();
+}
+
+// The interior may be shared by the parts of a combination: the last one to be settled decides.
+void SceneBuilder::settle_interior(const Object& object, const Context& own) {
+  BuiltInterior& interior = *own.interior;
+  const bool combination = std::holds_alternative<Csg>(object.geometry);
+  interior.hollow = combination ? object.hollow.value_or(false) : own.hollow.value_or(false);
+  if (own.texture.texture == nullptr) return;
+  const auto* layers = std::get_if<std::vector<TextureLayer>>(&own.texture.texture->content);
+  if (layers == nullptr || layers->empty()) return;
+  const Finish& finish = *layers->back().finish;
+  if (finish.ior) {
+    interior.ior = *finish.ior != 0 ? *finish.ior : 1;
+    interior.dispersion = 1;
+  }
+  if (finish.caustics) interior.caustics = *finish.caustics;
+  interior.refraction = finish.refraction.value_or(1.0f);
+}
+
+PlacedTexture SceneBuilder::place(const Placed& placed) {
+  if (placed.texture == nullptr) return {};
+  return {built_.textures->texture(placed.texture), placed.to_world.inverse()};
+}
+
+void SceneBuilder::dress(const Object& object, const Context& own, Leaf& leaf) {
+  leaf.uv_mapping = own.uv_mapping;
+  leaf.texture = place(own.texture);
+  leaf.interior_texture = place(own.interior_texture);
+  dress_parts(object, own, leaf);
+  const auto opaque = [](const PlacedTexture& t) { return t.texture == nullptr || t.texture->opaque; };
+  leaf.opaque = leaf.texture.texture != nullptr && opaque(leaf.texture) && opaque(leaf.interior_texture) &&
+                std::ranges::all_of(leaf.part_textures, opaque);
+}
+
+void SceneBuilder::dress_parts(const Object& object, const Context& own, Leaf& leaf) {
+  const Transform whole = object.uv_mapping ? Transform() : own.to_world;
+  std::visit(
+      [&](const auto& shape) {
+        using Description = std::decay_t<decltype(shape)>;
+        if constexpr (std::is_same_v<Description, Mesh>) {
+          for (const TexturePtr& texture : shape.data->textures) leaf.part_textures.push_back(place({texture, whole}));
+        } else if constexpr (std::is_same_v<Description, Blob>) {
+          if (!shape.mixes_textures()) return;
+          for (const auto& component : shape.components)
+            leaf.part_textures.push_back(place({component.texture, component.texture_placement.then(whole)}));
+        }
+      },
+      std::get<AnyShape>(object.geometry));
+}
+
+}  // namespace lute

@@ -1,0 +1,90 @@
+#include "engine/build/built_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/build/scene_builder.hpp"
+
+namespace lute {
+namespace {
+
+ShadingSettings shading_settings(const Scene& scene, const BuildOptions& options) {
+  ShadingSettings s;
+  s.quality = std::clamp(options.quality, 0, 9);
+  s.legacy = scene.effective_version < 370;
+  s.output_alpha = options.output_alpha;
+  s.adc_bailout = scene.settings.adc_bailout;
+  s.max_trace_level = std::clamp(scene.settings.max_trace_level, 1, 256);
+  s.ambient_light = scene.settings.ambient_light;
+  s.irid_wavelength = scene.settings.irid_wavelength;
+  s.noise_generator = scene.settings.noise_generator;
+  s.mm_per_unit = scene.settings.mm_per_unit;
+  return s;
+}
+
+// What a ray sees that meets nothing (chapter 40 §12).
+Color built_background(const Scene& scene, const ShadingSettings& settings) {
+  if (!scene.background) return {Rgb(0.0f), 0, settings.output_alpha ? 1.0f : 0.0f};
+  Color c = *scene.background;
+  if (settings.legacy) return {c.rgb, 0, 0};
+  if (settings.output_alpha) return c;
+  return {c.rgb * (1 - c.transmit), 0, 0};
+}
+
+std::unique_ptr<BuiltSky> built_sky(const SkySphere& description, TextureCompiler& textures) {
+  auto sky = std::make_unique<BuiltSky>();
+  for (const PigmentPtr& pigment : description.pigments) sky->pigments.push_back(textures.pigment(pigment));
+  sky->transform = description.transform;
+  sky->emission = description.emission;
+  return sky;
+}
+
+bool has_effect(const Rainbow& r) { return !r.colors.entries.empty() && r.width != 0 && r.distance != 0; }
+
+BuiltRainbow built_rainbow(const Rainbow& r) {
+  BuiltRainbow built;
+  built.axis = glm::normalize(r.direction);
+  built.right = glm::normalize(glm::cross(r.up, built.axis));
+  built.up = glm::normalize(glm::cross(built.axis, built.right));
+  built.start = radians(r.angle - r.width / 2);
+  built.width = radians(r.width);
+  built.distance = r.distance;
+  built.jitter = r.jitter;
+  const double arc = r.arc_angle.value_or(360);
+  built.arc = radians(arc) / 2;
+  built.falloff = radians(r.falloff_angle.value_or(arc)) / 2;
+  built.colors = r.colors.entries;
+  return built;
+}
+
+}  // namespace
+
+void BuiltScene::interiors_at(const dvec3& point, std::vector<const BuiltInterior*>& out) const {
+  for (const auto& [solid, interior] : containers)
+    if (solid->box.contains(point) && solid->plain_inside(point)) out.push_back(interior);
+}
+
+std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const BuildOptions& options) {
+  auto built = std::make_unique<BuiltScene>();
+  built->settings = shading_settings(scene, options);
+  TextureSettings texture_settings;
+  texture_settings.noise_generator = scene.settings.noise_generator;
+  texture_settings.number_of_waves = scene.settings.number_of_waves;
+  texture_settings.quick_colors = built->settings.quality <= 5;
+  built->textures = std::make_unique<TextureCompiler>(texture_settings);
+
+  SceneBuilder builder(*built, options);
+  for (const ObjectPtr& object : scene.objects) builder.add(object);
+  builder.finish();
+
+  built->background = built_background(scene, built->settings);
+  if (scene.sky_sphere) built->sky = built_sky(*scene.sky_sphere, *built->textures);
+  for (const Fog& fog : scene.fogs)
+    if (std::abs(fog.distance) > kEpsilon) built->fogs.push_back(fog);
+  for (auto rainbow = scene.rainbows.rbegin(); rainbow != scene.rainbows.rend(); ++rainbow)
+    if (has_effect(*rainbow)) built->rainbows.push_back(built_rainbow(*rainbow));
+  built->atmosphere = scene.atmosphere;
+  return built;
+}
+
+}  // namespace lute

@@ -1,0 +1,74 @@
+#include "engine/build/geometry_answers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/build/scene_builder.hpp"
+
+namespace lute {
+
+struct GeometryAnswers::Built {
+  ObjectPtr object;  // its address is the key: it must not be reused
+  BuiltScene scene;
+};
+
+GeometryAnswers::GeometryAnswers() = default;
+GeometryAnswers::~GeometryAnswers() = default;
+
+const GeometryAnswers::Built& GeometryAnswers::built(const ObjectPtr& object) {
+  auto& slot = objects_[object.get()];
+  if (slot == nullptr) {
+    slot = std::make_unique<Built>();
+    slot->object = object;
+    slot->scene.textures = std::make_unique<TextureCompiler>(TextureSettings{});
+    SceneBuilder builder(slot->scene, BuildOptions{});
+    builder.add(object);
+    builder.finish();
+  }
+  return *slot;
+}
+
+std::optional<GeometryAnswers::SurfacePoint> GeometryAnswers::trace(const ObjectPtr& object, const dvec3& origin,
+                                                                    const dvec3& direction) {
+  constexpr double kMinimumDepth = 1e-4;
+  const Ray ray{origin, direction};
+  Interval range;
+  range.lo = kMinimumDepth;
+  std::optional<SurfacePoint> result;
+  Hit hit;
+  Counters counters;
+  RayKind kind;
+  kind.primary = false;  // flags of visibility do not matter here
+  if (!built(object).scene.tree->nearest(ray, range, kind, hit, counters)) return result;
+  dvec3 normal = hit.leaf->shape->normal(hit.shape_hit, hit.point);
+  if (hit.leaf->inverted) normal = -normal;
+  return SurfacePoint{hit.point, normal};
+}
+
+bool GeometryAnswers::inside(const ObjectPtr& object, const dvec3& point) {
+  const auto& solids = built(object).scene.solids;
+  return std::ranges::any_of(solids, [&](const auto& s) { return s->inside_box.contains(point) && s->inside(point); });
+}
+
+bool GeometryAnswers::is_patch(const ObjectPtr& object) {
+  if (!std::holds_alternative<AnyShape>(object->geometry)) return false;
+  std::vector<const Leaf*> leaves;
+  for (const auto& solid : built(object).scene.solids) solid->leaves(leaves);
+  return !leaves.empty() && leaves.front()->shape->is_patch();
+}
+
+Aabb GeometryAnswers::extent(const ObjectPtr& object) {
+  constexpr double kUnbounded = 1e10;
+  Aabb box;
+  for (const auto& solid : built(object).scene.solids) box.join(solid->box);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto single = [](double v) { return static_cast<double>(static_cast<float>(v)); };
+    box.lo[axis] = std::clamp(single(box.lo[axis]), -kUnbounded, kUnbounded);
+    box.hi[axis] = std::clamp(single(box.hi[axis]), -kUnbounded, kUnbounded);
+  }
+  return box;
+}
+
+std::optional<dvec2> GeometryAnswers::image_size(const PigmentPtr&) { return std::nullopt; }
+
+}  // namespace lute

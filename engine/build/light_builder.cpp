@@ -1,0 +1,38 @@
+// Lights: wherever in the scene they stand they become lights of the scene, or of the light_group they are a direct member of.
+// Source: specification chapters 11 §6 and 40 §10.
+#include "engine/build/scene_builder.hpp"
+
+namespace lute {
+
+int SceneBuilder::open_light_group(int outer) {
+  built_.light_groups.emplace_back();
+  outer_groups_.push_back(outer);
+  return static_cast<int>(built_.light_groups.size()) - 1;
+}
+
+void SceneBuilder::add_light(const LightSource& light, const Object&, const Context& own) {
+  if (geometry_of_limits_) return;
+  auto built = std::make_unique<BuiltLight>(build_light(light, own.to_world, options_.quality >= 5));
+  if (light.projected_through != nullptr) {
+    Context parent;
+    parent.to_world = own.to_world;
+    geometry_of_limits_ = true;
+    built->projected_through = solid(*light.projected_through, resolve(*light.projected_through, parent), false);
+    geometry_of_limits_ = false;
+  }
+  if (own.group_member && own.light_group >= 0)
+    built_.light_groups[static_cast<std::size_t>(own.light_group)].lights.push_back(built.get());
+  else
+    built_.global_lights.push_back(built.get());
+  built_.lights.push_back(std::move(built));
+  if (light.looks_like == nullptr) return;
+
+  Context parent = own;
+  parent.visibility.no_shadow = true;
+  parent.inverted = false;
+  parent.stays_untextured = false;
+  parent.group_member = false;
+  add_top_level(*light.looks_like, parent);
+}
+
+}  // namespace lute

@@ -1,0 +1,169 @@
+// Shapes and combinations. Source: specification chapter 20 §6-7.
+#include <algorithm>
+#include <string_view>
+#include <type_traits>
+
+#include "engine/build/scene_builder.hpp"
+
+namespace lute {
+namespace {
+
+CsgKind kind_of(CsgOperation operation) {
+  switch (operation) {
+    case CsgOperation::kMerge: return CsgKind::kMerge;
+    case CsgOperation::kIntersection: return CsgKind::kIntersection;
+    case CsgOperation::kDifference: return CsgKind::kDifference;
+    case CsgOperation::kUnion:
+    case CsgOperation::kLightGroup: break;
+  }
+  return CsgKind::kUnion;
+}
+
+bool is_light(const Object& object) { return std::holds_alternative<LightSource>(object.geometry); }
+
+// The shapes whose bounding object is kept at top level (§7.2).
+bool keeps_bounds(const AnyShape& shape) {
+  return std::visit(
+      [](const auto& s) {
+        constexpr std::string_view keyword = std::decay_t<decltype(s)>::kKeyword;
+        return keyword == "poly" || keyword == "text";
+      },
+      shape);
+}
+
+}  // namespace
+
+void SceneBuilder::add(const ObjectPtr& object) {
+  default_texture_ = object->default_texture;
+  add_top_level(*object, Context{});
+}
+
+void SceneBuilder::add_top_level(const Object& object, const Context& parent) {
+  const Context own = resolve(object, parent);
+  if (const auto* light = std::get_if<LightSource>(&object.geometry)) {
+    add_light(*light, object, own);
+    return;
+  }
+  const auto* csg = std::get_if<Csg>(&object.geometry);
+  if (csg != nullptr && dissolves(object, *csg, own)) {
+    const Context down = context_for_children(object, *csg, own);
+    for (const ObjectPtr& child : csg->children) add_top_level(*child, down);
+    return;
+  }
+  std::unique_ptr<Solid> built = solid(object, own, true);
+  add_container(*built, own);
+  built_.solids.push_back(std::move(built));
+}
+
+bool SceneBuilder::dissolves(const Object& object, const Csg& csg, const Context& own) const {
+  if (kind_of(csg.operation) != CsgKind::kUnion || own.inverted) return false;
+  if (!object.clipped_by.empty() || !csg.split_union) return false;
+  return object.bounded_by.empty();
+}
+
+std::unique_ptr<Solid> SceneBuilder::solid(const Object& object, const Context& own, bool top_level) {
+  if (const auto* csg = std::get_if<Csg>(&object.geometry)) return combination(object, *csg, own);
+  return leaf(object, own, top_level);
+}
+
+std::unique_ptr<Solid> SceneBuilder::leaf(const Object& object, const Context& own, bool top_level) {
+  const auto& shape = std::get<AnyShape>(object.geometry);
+  auto leaf = std::make_unique<Leaf>();
+  leaf->shape = std::visit([&](const auto& s) { return build(s, own.to_world, shared_); }, shape);
+  leaf->inverted = own.inverted;
+  leaf->double_illuminate = own.double_illuminate;
+  leaf->interior = own.interior;
+  leaf->light_group = own.light_group;
+  leaf->global_lights = own.global_lights;
+  if (!geometry_of_limits_) dress(object, own, *leaf);
+
+  Limits limit = limits(object, own);
+  const bool box_only = top_level && options_.remove_bounds && !keeps_bounds(shape);
+  auto built = std::make_unique<LeafSolid>(std::move(leaf), std::move(limit.clips), std::move(limit.bounds),
+                                           box_only ? BoundTest::kBoxOnly : BoundTest::kTested);
+  built->visibility = own.visibility;
+  return built;
+}
+
+std::unique_ptr<Solid> SceneBuilder::combination(const Object& object, const Csg& csg, const Context& own) {
+  CsgKind kind = kind_of(csg.operation);
+  if (own.inverted) kind = inverted(kind);
+  SolidList parts = children(object, csg, own);
+  Visibility visibility = own.visibility;
+  // A union of nothing but no_shadow parts casts none as a whole (§6.6).
+  if (kind == CsgKind::kUnion && !parts.empty())
+    visibility.no_shadow =
+        visibility.no_shadow || std::ranges::all_of(parts, [](const auto& part) { return part->visibility.no_shadow; });
+  Limits limit = limits(object, own);
+  auto built = std::make_unique<CsgSolid>(kind, std::move(parts), std::move(limit.clips), std::move(limit.bounds));
+  built->visibility = visibility;
+  return built;
+}
+
+SceneBuilder::SolidList SceneBuilder::children(const Object& object, const Csg& csg, const Context& own) {
+  const Context down = context_for_children(object, csg, own);
+  SolidList parts;
+  for (std::size_t i = 0; i < csg.children.size(); ++i) {
+    const Object& child = *csg.children[i];
+    Context parent = down;
+    if (csg.operation == CsgOperation::kDifference && i > 0) parent.inverted = !parent.inverted;
+    const Context resolved = resolve(child, parent);
+    if (is_light(child))
+      add_light(std::get<LightSource>(child.geometry), child, resolved);
+    else
+      parts.push_back(solid(child, resolved, false));
+  }
+  return parts;
+}
+
+SceneBuilder::Context SceneBuilder::context_for_children(const Object&, const Csg& csg, const Context& own) {
+  Context down = own;
+  CsgKind kind = kind_of(csg.operation);
+  if (own.inverted) kind = inverted(kind);
+  down.stays_untextured = down.cutaway && (kind == CsgKind::kIntersection || kind == CsgKind::kDifference);
+  down.group_member = csg.operation == CsgOperation::kLightGroup;
+  return down;
+}
+
+SceneBuilder::Limits SceneBuilder::limits(const Object& object, const Context& own) {
+  Limits result;
+  if (object.clipped_by.empty() && object.bounded_by.empty()) return result;
+  // They are at their place in the space of the object's parent: the object's own transformation does not move them.
+  Context parent;
+  parent.to_world = own.parent_to_world;
+  const bool outer = geometry_of_limits_;
+  geometry_of_limits_ = true;
+  std::map<const Object*, std::shared_ptr<const Solid>> built;
+  const auto build_all = [&](const std::vector<ObjectPtr>& objects, SharedSolids& out) {
+    for (const ObjectPtr& limit : objects) {
+      if (is_light(*limit)) continue;
+      auto& shared = built[limit.get()];
+      if (shared == nullptr) shared = solid(*limit, resolve(*limit, parent), false);
+      out.push_back(shared);
+    }
+  };
+  build_all(object.clipped_by, result.clips);
+  build_all(object.bounded_by, result.bounds);
+  geometry_of_limits_ = outer;
+  return result;
+}
+
+void SceneBuilder::add_container(const Solid& solid, const Context& own) {
+  if (const auto* leaf = dynamic_cast<const LeafSolid*>(&solid); leaf != nullptr && leaf->leaf().shape->is_patch()) return;
+  built_.containers.emplace_back(&solid, own.interior);
+}
+
+void SceneBuilder::finish() {
+  // An outer group comes before the inner ones in the list, so it has already received what is further out.
+  for (std::size_t group = 0; group < built_.light_groups.size(); ++group) {
+    if (outer_groups_[group] < 0) continue;
+    const auto outer = built_.light_groups[static_cast<std::size_t>(outer_groups_[group])].lights;
+    auto& own = built_.light_groups[group].lights;
+    own.insert(own.end(), outer.begin(), outer.end());
+  }
+  std::vector<const Solid*> solids;
+  for (const auto& solid : built_.solids) solids.push_back(solid.get());
+  built_.tree = std::make_unique<SceneTree>(solids);
+}
+
+}  // namespace lute

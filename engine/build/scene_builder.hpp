@@ -1,0 +1,103 @@
+// From the description to the built scene: what goes down from an object to its parts, and what is made of each.
+// Source: specification chapters 11 §14.1 (inheritance), 20 §6-8 and 40 §10.5.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/build/built_scene.hpp"
+#include "engine/csg/csg_solid.hpp"
+
+namespace lute {
+
+// Compiled forms that copies of one description share: trees of meshes, images of height fields.
+class SharedForms final : public BuildContext {
+ public:
+  std::shared_ptr<const void> find_shared(const void* key) const override {
+    const auto it = forms_.find(key);
+    return it == forms_.end() ? nullptr : it->second;
+  }
+  void store_shared(const void* key, std::shared_ptr<const void> value) override { forms_[key] = std::move(value); }
+
+ private:
+  std::map<const void*, std::shared_ptr<const void>> forms_;
+};
+
+class SceneBuilder {
+ public:
+  SceneBuilder(BuiltScene& built, const BuildOptions& options) : built_(built), options_(options) {}
+
+  // A top-level object: one solid, several (a union that is dissolved), or none (a light).
+  void add(const ObjectPtr& object);
+
+  // After the last object: lights of enclosing groups are handed to the inner ones, the tree is built.
+  void finish();
+
+ private:
+  // A texture in the scene: the description and where it was written.
+  struct Placed {
+    TexturePtr texture;
+    Transform to_world;
+  };
+
+  // What an object has once everything that its parents pass down is known; and passes on.
+  struct Context {
+    Transform to_world, parent_to_world;
+    Placed texture, interior_texture;
+    bool uv_mapping = false;
+    BuiltInterior* interior = nullptr;
+    Visibility visibility;
+    bool cutaway = false;           // asked for, here or above
+    bool stays_untextured = false;  // the parent supplies textures by cutaway
+    bool double_illuminate = false;
+    bool inverted = false;          // inverted as a whole
+    std::optional<bool> hollow;     // of the outermost object that gives it
+    int light_group = -1;
+    bool global_lights = true;
+    bool group_member = false;      // a direct member of light_group: its lights are local
+  };
+
+  using SolidList = std::vector<std::unique_ptr<Solid>>;
+
+  // appearance.cpp
+  Context resolve(const Object& object, const Context& parent);
+  void pass_textures(const Object& object, const Context& parent, Context& own);
+  void settle_interior(const Object& object, const Context& own);
+  BuiltInterior* new_interior(const InteriorPtr& description);
+  PlacedTexture place(const Placed& placed);
+  void dress(const Object& object, const Context& own, Leaf& leaf);
+  void dress_parts(const Object& object, const Context& own, Leaf& leaf);
+  const TexturePtr& default_texture();
+
+  // object_builder.cpp
+  void add_top_level(const Object& object, const Context& parent);
+  std::unique_ptr<Solid> solid(const Object& object, const Context& own, bool top_level);
+  std::unique_ptr<Solid> leaf(const Object& object, const Context& own, bool top_level);
+  std::unique_ptr<Solid> combination(const Object& object, const Csg& csg, const Context& own);
+  SolidList children(const Object& object, const Csg& csg, const Context& own);
+  Context context_for_children(const Object& object, const Csg& csg, const Context& own);
+  bool dissolves(const Object& object, const Csg& csg, const Context& own) const;
+  struct Limits {
+    SharedSolids clips, bounds;
+  };
+  Limits limits(const Object& object, const Context& own);
+  void add_container(const Solid& solid, const Context& own);
+
+  // light_builder.cpp
+  void add_light(const LightSource& light, const Object& object, const Context& own);
+  int open_light_group(int outer);
+
+  BuiltScene& built_;
+  BuildOptions options_;
+  SharedForms shared_;
+  TexturePtr default_texture_;       // of the statement being built
+  std::vector<int> outer_groups_;    // enclosing group of each light group; -1: none
+  bool geometry_of_limits_ = false;  // building clips and bounds: their looks do not matter
+};
+
+// Whether any part of the object has a texture of its own.
+bool holds_texture(const Object& object);
+
+}  // namespace lute

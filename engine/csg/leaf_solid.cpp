@@ -31,6 +31,7 @@ LeafSolid::LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips, SharedSolid
   box_cuts_ = limit_box(box, clips_, bounds_);
   inside_box = inverted_ ? Aabb::infinite() : widened(shape_->inside_bounds());
   for (const auto& clip : clips_) inside_box = inside_box.intersection(clip->inside_box);
+  if (!shape_->obeys_clips()) clips_.clear();
   if (bound_test == BoundTest::kBoxOnly) bounds_.clear();
   plain_ = clips_.empty() && bounds_.empty() && !box_cuts_;
 }

@@ -68,6 +68,9 @@ class Shape {
   // Raw outward unit normal at a hit (not turned toward the ray, not negated for `inverse`).
   virtual dvec3 normal(const ShapeHit& hit, const dvec3& point) const = 0;
 
+  // Whether clipped_by removes hits. Not from a bicubic patch (chapter 21 §5.4).
+  virtual bool obeys_clips() const { return true; }
+
   // Whether `inverse` negates the raw normal. Not for a quadric, which negates its coefficients too (chapter 20 §5.7).
   virtual bool inverse_turns_normal() const { return !is_patch(); }
 

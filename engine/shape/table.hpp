@@ -4,16 +4,20 @@
 
 #include <variant>
 
+#include "engine/shape/bicubic_patch.hpp"
 #include "engine/shape/blob.hpp"
 #include "engine/shape/box.hpp"
 #include "engine/shape/cone.hpp"
 #include "engine/shape/cylinder.hpp"
 #include "engine/shape/disc.hpp"
+#include "engine/shape/height_field.hpp"
+#include "engine/shape/julia_fractal.hpp"
 #include "engine/shape/lathe.hpp"
 #include "engine/shape/mesh.hpp"
 #include "engine/shape/ovus.hpp"
 #include "engine/shape/plane.hpp"
 #include "engine/shape/poly.hpp"
+#include "engine/shape/polygon.hpp"
 #include "engine/shape/prism.hpp"
 #include "engine/shape/quadric.hpp"
 #include "engine/shape/sor.hpp"
@@ -26,16 +30,20 @@
 namespace lute {
 
 using AnyShape = std::variant<  //
+    BicubicPatch,               //
     Blob,                       //
     Box,                        //
     Cone,                       //
     Cylinder,                   //
     Disc,                       //
+    HeightField,                //
+    JuliaFractal,               //
     Lathe,                      //
     Mesh,                       //
     Ovus,                       //
     Plane,                      //
     Poly,                       //
+    Polygon,                    //
     Prism,                      //
     Quadric,                    //
     SmoothTriangle,             //

@@ -4,6 +4,7 @@
 
 #include "engine/shape/empty_shape.hpp"
 #include "engine/shape/scanned_shape.hpp"
+#include "engine/shape/watertight_triangle.hpp"
 
 namespace lute {
 
@@ -27,28 +28,8 @@ class Facet final : public ScannedShape<Facet> {
     const dvec3 a = vertices_[0] - ray.origin;
     const double t = glm::dot(normal_, a) / slope;
     if (!(t <= kMaxDepth)) return;
-    const dvec3 b = vertices_[1] - ray.origin;
-    const dvec3 c = vertices_[2] - ray.origin;
-
-    // Shear along the axis that the ray runs along most; the ray becomes the origin of the other two.
-    const dvec3& d = ray.direction;
-    int k = 0;
-    if (std::abs(d.y) > std::abs(d[k])) k = 1;
-    if (std::abs(d.z) > std::abs(d[k])) k = 2;
-    const int i = (k + 1) % 3;
-    const int j = (k + 2) % 3;
-    const double shear_i = d[i] / d[k];
-    const double shear_j = d[j] / d[k];
-    const double ax = a[i] - shear_i * a[k], ay = a[j] - shear_j * a[k];
-    const double bx = b[i] - shear_i * b[k], by = b[j] - shear_j * b[k];
-    const double cx = c[i] - shear_i * c[k], cy = c[j] - shear_j * c[k];
-    const double wa = cx * by - cy * bx;
-    const double wb = ax * cy - ay * cx;
-    const double wc = bx * ay - by * ax;
-    if ((wa < 0 || wb < 0 || wc < 0) && (wa > 0 || wb > 0 || wc > 0)) return;
-    const double sum = wa + wb + wc;
-    if (sum == 0) return;
-    sink(t, 0, std::array<double, 3>{wa / sum, wb / sum, wc / sum});
+    std::array<double, 3> weights;
+    if (RayShear(ray.direction).passes(a, vertices_[1] - ray.origin, vertices_[2] - ray.origin, weights)) sink(t, 0, weights);
   }
 
   Aabb bounds() const override {

@@ -1,0 +1,213 @@
+#include "engine/shape/height_field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "engine/shape/height_pyramid.hpp"
+#include "engine/shape/scanned_shape.hpp"
+
+namespace lute {
+
+namespace {
+
+constexpr double kFullHeight = 65536;
+constexpr double kSlabSlack = 0.001;  // of the box, in units of height
+constexpr double kCellSlack = 1e-4;   // triangles reach this much into their neighbours
+
+// Normals at the grid's points: each component is a 16-bit integer, as the reference keeps them.
+using VertexNormal = std::array<std::int16_t, 3>;
+
+class VertexNormals {
+ public:
+  explicit VertexNormals(const HeightGrid& grid) : width_(grid.width) {
+    for (int z = 0; z < grid.depth; ++z)
+      for (int x = 0; x < grid.width; ++x) normals_.push_back(quantised(at_vertex(grid, x, z)));
+  }
+  const VertexNormal& at(int x, int z) const {
+    return normals_[static_cast<std::size_t>(z) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+  }
+
+ private:
+  static VertexNormal quantised(const dvec3& n) {
+    const auto component = [](double v) { return static_cast<std::int16_t>(std::trunc(32767 * v)); };
+    return {component(n.x), component(n.y), component(n.z)};
+  }
+
+  // The mean of the normals of the four triangles between the vertex and its neighbours.
+  static dvec3 at_vertex(const HeightGrid& grid, int x, int z) {
+    static constexpr int kAround[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
+    const auto exists = [&](int i, int k) { return i >= 0 && i < grid.width && k >= 0 && k < grid.depth; };
+    dvec3 sum(0);
+    for (int side = 0; side < 4; ++side) {
+      const int* a = kAround[side];
+      const int* b = kAround[side + 1];
+      if (!exists(x + a[0], z + a[1]) || !exists(x + b[0], z + b[1])) continue;
+      const dvec3 to_a(a[0], grid.at(x + a[0], z + a[1]) - grid.at(x, z), a[1]);
+      const dvec3 to_b(b[0], grid.at(x + b[0], z + b[1]) - grid.at(x, z), b[1]);
+      dvec3 n = glm::normalize(glm::cross(to_a, to_b));
+      sum += n.y < 0 ? -n : n;
+    }
+    return glm::normalize(sum);
+  }
+
+  int width_;
+  std::vector<VertexNormal> normals_;
+};
+
+template <class Made, class Make>
+std::shared_ptr<const Made> shared(BuildContext& context, const void* key, Make&& make) {
+  if (auto found = context.find_shared(key)) return std::static_pointer_cast<const Made>(found);
+  auto made = std::make_shared<const Made>(make());
+  context.store_shared(key, made);
+  return made;
+}
+
+// A hit keeps its cell (x, z) and which of its triangles it is on (part 0: lower, 1: upper).
+class Landscape final : public ScannedShape<Landscape> {
+ public:
+  Landscape(const HeightField& field, const Transform& to_world, BuildContext& context) : grid_(field.grid) {
+    const HeightGrid& grid = *grid_;
+    pyramid_ = shared<HeightPyramid>(context, grid_.get(), [&] { return HeightPyramid(grid); });
+    if (field.smooth) normals_ = shared<VertexNormals>(context, &grid.heights, [&] { return VertexNormals(grid); });
+    const Transform unit = Transform::scale({1.0 / (grid.width - 1), 1 / kFullHeight, 1.0 / (grid.depth - 1)});
+    to_world_ = to_world.identity() ? unit : unit.then(to_world);
+    low_ = std::max<double>(pyramid_->all().lo, kFullHeight * field.water_level) - kSlabSlack;
+    high_ = pyramid_->all().hi + kSlabSlack;
+  }
+
+  template <class Sink>
+  void scan(const Ray& ray, Interval range, Sink&& sink) const {
+    const Ray local = to_world_.inverse_ray(ray);
+    if (!cut(local, {0, low_, 0}, {grid_->width - 1.0, high_, grid_->depth - 1.0}, range)) return;
+    struct Square {
+      int level, x, z;
+    };
+    std::array<Square, 128> stack;  // three siblings a level, at most 32 levels
+    std::size_t top = 0;
+    stack[top++] = {pyramid_->levels() - 1, 0, 0};
+    const int far_x = local.direction.x < 0 ? 0 : 1;
+    const int far_z = local.direction.z < 0 ? 0 : 1;
+    while (top > 0) {
+      const Square s = stack[--top];
+      if (!meets_square(s.level, s.x, s.z, local, range)) continue;
+      if (s.level == 0) {
+        if (scan_cell(s.x, s.z, local, range, sink)) return;
+        continue;
+      }
+      // Farthest onto the stack first.
+      for (const auto& [dx, dz] : {std::pair(far_x, far_z), std::pair(1 - far_x, far_z), std::pair(far_x, 1 - far_z),
+                                   std::pair(1 - far_x, 1 - far_z)})
+        if (pyramid_->exists(s.level - 1, 2 * s.x + dx, 2 * s.z + dz)) stack[top++] = {s.level - 1, 2 * s.x + dx, 2 * s.z + dz};
+    }
+  }
+
+  Aabb bounds() const override { return to_world_.box({{0, low_, 0}, {grid_->width - 1.0, high_, grid_->depth - 1.0}}); }
+  Aabb inside_bounds() const override { return Aabb::infinite(); }  // the ground has no bottom
+  bool inside(const dvec3& point) const override {
+    const dvec3 p = to_world_.inverse_point(point);
+    if (!(p.x >= 0 && p.x < grid_->width - 1 && p.z >= 0 && p.z < grid_->depth - 1) || p.y >= high_) return false;
+    if (p.y < low_) return true;
+    const int x = static_cast<int>(p.x);
+    const int z = static_cast<int>(p.z);
+    const double s = p.x - x;
+    const double r = p.z - z;
+    const auto height = [&](int i, int k) { return std::max<double>(grid_->at(i, k), low_); };
+    const double y2 = height(x + 1, z);
+    const double y3 = height(x, z + 1);
+    if (s + r < 1) {
+      const double y1 = height(x, z);
+      return p.y < y1 + s * (y2 - y1) + r * (y3 - y1);
+    }
+    const double y4 = height(x + 1, z + 1);
+    return p.y < y4 + (1 - s) * (y3 - y4) + (1 - r) * (y2 - y4);
+  }
+  dvec3 normal(const ShapeHit& hit, const dvec3& point) const override {
+    const int x = static_cast<int>(hit.data[0]);
+    const int z = static_cast<int>(hit.data[1]);
+    if (!normals_) return glm::normalize(to_world_.normal(face_normal(x, z, hit.part)));
+    const dvec3 p = to_world_.inverse_point(point);
+    const int i = std::clamp(static_cast<int>(std::floor(p.x)), 0, grid_->width - 2);
+    const int k = std::clamp(static_cast<int>(std::floor(p.z)), 0, grid_->depth - 2);
+    const double s = p.x - i;
+    const double r = p.z - k;
+    const auto at = [&](int a, int b) {
+      const VertexNormal& n = normals_->at(a, b);
+      return glm::normalize(to_world_.normal({n[0], n[1], n[2]}));
+    };
+    return glm::normalize((1 - r) * ((1 - s) * at(i, k) + s * at(i + 1, k)) +
+                          r * ((1 - s) * at(i, k + 1) + s * at(i + 1, k + 1)));
+  }
+
+ private:
+  // Cuts `range` down to the ray's passage through a box.
+  static bool cut(const Ray& ray, const dvec3& lo, const dvec3& hi, Interval& range) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double p = ray.origin[axis];
+      const double d = ray.direction[axis];
+      if (d == 0) {
+        if (p < lo[axis] || p > hi[axis]) return false;
+        continue;
+      }
+      double near = (lo[axis] - p) / d;
+      double far = (hi[axis] - p) / d;
+      if (near > far) std::swap(near, far);
+      range = {std::max(range.lo, near), std::min(range.hi, far)};
+    }
+    return !range.empty();
+  }
+
+  bool meets_square(int level, int x, int z, const Ray& ray, Interval range) const {
+    const HeightPyramid::Range heights = pyramid_->range(level, x, z);
+    const double side = std::ldexp(1.0, level);
+    return cut(ray, {x * side - kCellSlack, heights.lo - kSlabSlack, z * side - kCellSlack},
+               {(x + 1) * side + kCellSlack, heights.hi + kSlabSlack, (z + 1) * side + kCellSlack}, range);
+  }
+
+  dvec3 face_normal(int x, int z, std::uint32_t upper) const {
+    const double y2 = grid_->at(x + 1, z);
+    const double y3 = grid_->at(x, z + 1);
+    if (upper) {
+      const double y4 = grid_->at(x + 1, z + 1);
+      return {y3 - y4, 1, y2 - y4};
+    }
+    const double y1 = grid_->at(x, z);
+    return {y1 - y2, 1, y1 - y3};
+  }
+
+  // True if the sink needs no farther hit.
+  template <class Sink>
+  bool scan_cell(int x, int z, const Ray& ray, Interval range, Sink& sink) const {
+    bool enough = false;
+    for (const std::uint32_t upper : {0u, 1u}) {
+      const int i = upper ? x + 1 : x;
+      const int k = upper ? z + 1 : z;
+      const dvec3 n = face_normal(x, z, upper);
+      const double slope = glm::dot(n, ray.direction);
+      if (slope == 0) continue;
+      const double t = glm::dot(n, dvec3(i, grid_->at(i, k), k) - ray.origin) / slope;
+      if (!range.contains(t)) continue;
+      const double s = ray.origin.x + t * ray.direction.x - x;
+      const double r = ray.origin.z + t * ray.direction.z - z;
+      const bool within = upper ? s <= 1 + kCellSlack && r <= 1 + kCellSlack && s + r >= 1 - kCellSlack
+                                : s >= -kCellSlack && r >= -kCellSlack && s + r <= 1 + kCellSlack;
+      if (within) enough |= sink(t, upper, std::array<double, 3>{static_cast<double>(x), static_cast<double>(z), 0});
+    }
+    return enough;
+  }
+
+  std::shared_ptr<const HeightGrid> grid_;
+  std::shared_ptr<const HeightPyramid> pyramid_;
+  std::shared_ptr<const VertexNormals> normals_;  // null: flat triangles
+  double low_ = 0, high_ = 0;                     // of the box, in units of height
+  Transform to_world_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> build(const HeightField& field, const Transform& to_world, BuildContext& context) {
+  return std::make_unique<Landscape>(field, to_world, context);
+}
+
+}  // namespace lute

@@ -1,0 +1,201 @@
+#include "engine/shape/julia_fractal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/shape/julia_algebra.hpp"
+#include "engine/shape/scanned_shape.hpp"
+
+namespace lute {
+
+namespace {
+
+using Algebra = JuliaFractal::Algebra;
+using Function = JuliaFractal::Function;
+
+constexpr double kFinest = 1e-7;  // bracket in which a hit is found
+
+// The iterates of one point; entries behind an escape are those of earlier points on the same ray, as the reference's normal sees
+// them.
+using Orbit = std::vector<dvec4>;
+
+// A hit keeps its normal in the fractal's space: it depends on the iterates.
+class JuliaSet final : public ScannedShape<JuliaSet> {
+ public:
+  JuliaSet(const JuliaFractal& fractal, const Transform& to_world)
+      : f_(fractal), steps_(static_cast<std::size_t>(fractal.max_iteration)), least_step_(1 / fractal.precision), to_world_(to_world) {
+    quaternion_ = f_.algebra == Algebra::kQuaternion;
+    radius_ = quaternion_ ? std::min(2.0, 1 + glm::length(f_.constant) + 1e-7) : 4;
+    escape_ = quaternion_ ? radius_ * radius_ + 1e-7 : 16;
+    by_function_ = !quaternion_ && f_.function >= Function::kExp;
+  }
+
+  template <class Sink>
+  void scan(const Ray& ray, Interval, Sink&& sink) const {
+    Ray local = to_world_.inverse_ray(ray);
+    const double length = glm::length(local.direction);
+    local.direction /= length;
+    const double b = -glm::dot(local.origin, local.direction);
+    const dvec3 apart = local.origin + b * local.direction;
+    const double h = radius_ * radius_ - glm::dot(apart, apart);
+    if (!(h > kEpsilon)) return;
+    const double end = b + std::sqrt(h);
+    if (end < kFinest) return;
+    double t = std::max(b - std::sqrt(h), kFinest);
+
+    thread_local Orbit orbit;
+    orbit.assign(steps_ + 1, dvec4(0));
+    double step = 0;
+    bool inside = evaluate(local.at(t), local.direction, orbit, step);
+    if (inside) {
+      t += 2 * kFinest;
+      if (t > end) return;
+      inside = evaluate(local.at(t), local.direction, orbit, step);
+    }
+    for (;;) {
+      step = std::max(step, least_step_);
+      t += step;
+      if (t > end) return;
+      double next = 0;
+      if (evaluate(local.at(t), local.direction, orbit, next) == inside) {
+        step = next;
+        continue;
+      }
+      t = bracket(local, t - step, step, inside, orbit);
+      const double far = t + step;
+      const double hit = inside ? t : far;
+      const dvec3 n = local_normal(local.at(hit), orbit);
+      if (sink(hit / length, 0, std::array<double, 3>{n.x, n.y, n.z})) return;
+      inside = !inside;
+      t = far;
+      step = least_step_;
+    }
+  }
+
+  Aabb bounds() const override {
+    dvec3 reach;
+    for (int axis = 0; axis < 3; ++axis)
+      reach[axis] =
+          radius_ * glm::length(dvec3(to_world_.linear[0][axis], to_world_.linear[1][axis], to_world_.linear[2][axis]));
+    return {to_world_.translation - reach, to_world_.translation + reach};
+  }
+  bool inside(const dvec3& point) const override {
+    thread_local Orbit orbit;
+    orbit.resize(steps_ + 1);
+    return escape_step(plain_start(to_world_.inverse_point(point)), orbit) == 0;
+  }
+  dvec3 normal(const ShapeHit& hit, const dvec3&) const override {
+    const dvec3 n = to_world_.normal({hit.data[0], hit.data[1], hit.data[2]});
+    const double length = glm::length(n);
+    return length > 0 ? n / length : dvec3(1, 0, 0);
+  }
+
+ private:
+  dvec4 start(const dvec3& p) const {
+    return {p, (f_.slice_distance - glm::dot(dvec3(f_.slice), p)) / f_.slice.w};
+  }
+  // The inside test of functions begins with y in the place of z (§7.3).
+  dvec4 plain_start(const dvec3& p) const { return start(by_function_ ? dvec3(p.x, p.y, p.y) : p); }
+
+  dvec4 image(const dvec4& z) const {
+    if (quaternion_) return f_.function == Function::kCube ? quaternion_cube(z) : quaternion_square(z);
+    if (f_.function == Function::kReciprocal) return hypercomplex_reciprocal(z);
+    return by_function_ ? hypercomplex_function(f_.function, f_.exponent, z) : hypercomplex_square(z);
+  }
+
+  // The step, from 1, before which the orbit has left the ball, or 0 if it never does.
+  std::size_t escape_step(dvec4 z, Orbit& orbit) const {
+    orbit[0] = z;
+    for (std::size_t i = 1; i <= steps_; ++i) {
+      if (glm::dot(z, z) > escape_) return i;
+      z = image(z) + f_.constant;
+      orbit[i] = z;
+    }
+    return 0;
+  }
+
+  // Whether the point is inside; `step` becomes how far the ray may advance.
+  bool evaluate(const dvec3& p, const dvec3& direction, Orbit& orbit, double& step) const {
+    const std::size_t i = escape_step(start(p), orbit);
+    step = least_step_;
+    if (i == 0) return true;
+    const double norm = glm::dot(orbit[i - 1], orbit[i - 1]);
+    if (quaternion_) {
+      dvec4 q = orbit[0];
+      for (std::size_t j = 1; j < i; ++j) q = quaternion_product(q, orbit[j]);
+      const double share = std::pow(f_.function == Function::kCube ? 3.0 : 2.0, -static_cast<double>(i));
+      step = share * std::sqrt(norm / glm::dot(q, q)) * std::log(norm);
+      return false;
+    }
+    const double slope = glm::dot(hypercomplex_normal(orbit, i - 1), direction);
+    const double s = -2 * slope;
+    if (slope < -1e-8 && least_step_ * s < norm && norm < 30 * least_step_ * s) step = norm / s;
+    return false;
+  }
+
+  // Halves [t, t + step], whose ends differ; returns the near end of the bracket, `step` becomes its length.
+  double bracket(const Ray& ray, double t, double& step, bool inside, Orbit& orbit) const {
+    while (step > kFinest) {
+      step *= 0.5;
+      if ((escape_step(plain_start(ray.at(t + step)), orbit) == 0) == inside) t += step;
+    }
+    return t;
+  }
+
+  dvec3 local_normal(const dvec3& p, Orbit& orbit) const {
+    escape_step(plain_start(p), orbit);
+    return quaternion_ ? quaternion_normal(orbit) : hypercomplex_normal(orbit, steps_);
+  }
+
+  dvec3 quaternion_normal(const Orbit& orbit) const {
+    dvec3 n;
+    for (int axis = 0; axis < 3; ++axis) {
+      dvec4 v(0);
+      v[axis] = 1;
+      for (std::size_t j = 0; j < steps_; ++j) v = f_.function == Function::kCube ? cube_slope(orbit[j], v) : square_slope(orbit[j], v);
+      n[axis] = glm::dot(v, orbit[steps_]);
+    }
+    return n;
+  }
+
+  static dvec4 square_slope(const dvec4& z, const dvec4& v) {
+    return {v.x * z.x - v.y * z.y - v.z * z.z - v.w * z.w, v.x * z.y + v.y * z.x, v.x * z.z + v.z * z.x, v.x * z.w + v.w * z.x};
+  }
+  static dvec4 cube_slope(const dvec4& z, const dvec4& v) {
+    const double d = z.y * z.y + z.z * z.z + z.w * z.w;
+    const double tau = 2 * (v.y * z.y + v.z * z.z + v.w * z.w);
+    const double tau2 = 6 * z.x * v.x - tau;
+    const double k = 3 * z.x * z.x - d;
+    return {3 * ((z.x * z.x - d) * v.x - z.x * tau), v.y * k + z.y * tau2, v.z * k + z.z * tau2, v.w * k + z.w * tau2};
+  }
+
+  dvec3 hypercomplex_normal(const Orbit& orbit, std::size_t n) const {
+    dvec4 h = orbit[0];
+    for (std::size_t j = 1; j < n; ++j) {
+      dvec4 factor = orbit[j];
+      if (by_function_) factor = hypercomplex_function(f_.function, f_.exponent, factor);
+      if (f_.function == Function::kReciprocal) factor = -hypercomplex_square(hypercomplex_reciprocal(factor));
+      h = hypercomplex_product(h, factor);
+    }
+    dvec4 v = orbit[n];
+    if (f_.function == Function::kSqr) v *= std::ldexp(1.0, static_cast<int>(n));
+    return {h.x * v.x + h.y * v.y + h.z * v.z + h.w * v.w, -h.y * v.x + h.x * v.y - h.w * v.z + h.z * v.w,
+            -h.z * v.x - h.w * v.y + h.x * v.z + h.y * v.w};
+  }
+
+  JuliaFractal f_;
+  std::size_t steps_;
+  double least_step_;
+  double radius_ = 2, escape_ = 4;
+  bool quaternion_ = true, by_function_ = false;
+  Transform to_world_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> build(const JuliaFractal& fractal, const Transform& to_world, BuildContext&) {
+  return std::make_unique<JuliaSet>(fractal, to_world);
+}
+
+}  // namespace lute

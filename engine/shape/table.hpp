@@ -11,10 +11,12 @@
 #include "engine/shape/cylinder.hpp"
 #include "engine/shape/disc.hpp"
 #include "engine/shape/height_field.hpp"
+#include "engine/shape/isosurface.hpp"
 #include "engine/shape/julia_fractal.hpp"
 #include "engine/shape/lathe.hpp"
 #include "engine/shape/mesh.hpp"
 #include "engine/shape/ovus.hpp"
+#include "engine/shape/parametric.hpp"
 #include "engine/shape/plane.hpp"
 #include "engine/shape/poly.hpp"
 #include "engine/shape/polygon.hpp"
@@ -37,10 +39,12 @@ using AnyShape = std::variant<  //
     Cylinder,                   //
     Disc,                       //
     HeightField,                //
+    Isosurface,                 //
     JuliaFractal,               //
     Lathe,                      //
     Mesh,                       //
     Ovus,                       //
+    Parametric,                 //
     Plane,                      //
     Poly,                       //
     Polygon,                    //

@@ -1,0 +1,33 @@
+// The box or sphere that an isosurface or a parametric surface is looked for in: `contained_by { box {...} | sphere {...} }`.
+// Source: specification chapter 21 §8.1, §8.5.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/math/aabb.hpp"
+#include "engine/math/interval.hpp"
+#include "engine/math/ray.hpp"
+
+namespace lute {
+
+struct Container {
+  bool is_sphere = false;
+  dvec3 lo{-1}, hi{1};  // of a box, sorted
+  dvec3 center{0};      // of a sphere
+  double radius = 1;
+
+  Aabb box() const;
+  bool contains(const dvec3& p) const;
+
+  // The passage of a ray, and where it enters and leaves: faces 2 * axis + (1 at the upper corner), or kRound.
+  static constexpr std::uint32_t kRound = 6;
+  struct Passage {
+    Interval depths;
+    std::uint32_t enter = kRound, leave = kRound;
+  };
+  bool cross(const Ray& ray, Passage& passage) const;  // the whole line; the direction need not be of unit length
+
+  dvec3 normal(std::uint32_t face, const dvec3& p) const;  // outward
+};
+
+}  // namespace lute

@@ -1,0 +1,134 @@
+#include "engine/shape/isosurface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/function/function.hpp"
+#include "engine/shape/scanned_shape.hpp"
+
+namespace lute {
+
+namespace {
+
+// Parts: the surface, then the faces of the container.
+enum Part : std::uint32_t { kSurface, kFirstFace };
+
+class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
+ public:
+  ImplicitSurface(const Isosurface& iso, const Transform& to_world) : iso_(iso), to_world_(to_world) {}
+
+  template <class Sink>
+  void scan(const Ray& ray, Interval range, Sink&& sink) const {
+    const Ray local = to_world_.inverse_ray(ray);
+    Container::Passage passage;
+    if (!iso_.container.cross(local, passage) || passage.depths.hi < 0) return;
+    const double accuracy = iso_.accuracy;
+    double begin = std::max(0.0, passage.depths.lo);
+    const double end = passage.depths.hi;
+    Search search{*this, local, glm::length(local.direction), iso_.max_gradient, 1};
+    int count = 0;
+    if (!iso_.open) {
+      if (begin > accuracy) {
+        if (value(local.at(begin)) < 0) {
+          if (sink(begin, kFirstFace + passage.enter)) return;
+          count = 1;
+          search.sign = -1;
+        }
+      } else {
+        if (value(local.at(begin)) < 4 * search.gradient * accuracy) {
+          begin = 5 * accuracy;
+          if (value(local.at(begin)) < 0) search.sign = -1;
+        }
+        if (value(local.at(end)) < 0) sink(end, kFirstFace + passage.leave);
+      }
+    }
+    if (end - begin < accuracy) return;
+    if (begin < accuracy && search.sign > 0 && std::abs(value(local.at(begin))) < 4 * search.gradient * accuracy) {
+      begin = 5 * accuracy;
+      if (value(local.at(begin)) < 0) search.sign = -1;
+    }
+    for (; count < iso_.max_trace && begin <= range.hi; ++count) {
+      double root = 0;
+      if (!search.first_root(begin, end, root)) return;
+      if (sink(root, kSurface)) return;
+      begin = root + 5 * accuracy;
+      if (end - begin < accuracy) return;
+      search.sign = -search.sign;
+    }
+  }
+
+  Aabb bounds() const override { return to_world_.box(iso_.container.box()); }
+  bool inside(const dvec3& point) const override {
+    const dvec3 p = to_world_.inverse_point(point);
+    return iso_.container.contains(p) && value(p) <= 0;
+  }
+  dvec3 normal(const ShapeHit& hit, const dvec3& point) const override {
+    const dvec3 p = to_world_.inverse_point(point);
+    dvec3 n;
+    if (hit.part >= kFirstFace) {
+      n = iso_.container.normal(hit.part - kFirstFace, p);
+    } else {
+      const double step = iso_.accuracy;
+      const double here = value(p);
+      n = {value(p + dvec3(step, 0, 0)) - here, value(p + dvec3(0, step, 0)) - here, value(p + dvec3(0, 0, step)) - here};
+      if (n == dvec3(0)) n = {1, 0, 0};
+    }
+    return glm::normalize(to_world_.normal(n));
+  }
+
+ private:
+  // Root search along one ray; `gradient` grows under `evaluate`.
+  struct Search {
+    const ImplicitSurface& surface;
+    const Ray& ray;
+    double length;  // of the direction
+    double gradient;
+    double sign;
+
+    double at(double t) const { return sign * surface.value(ray.at(t)); }
+
+    bool first_root(double begin, double end, double& root) {
+      double f = at(begin);
+      if (surface.iso_.open && f < 0) {
+        sign = -sign;
+        f = -f;
+      }
+      if (const auto& e = surface.iso_.evaluate; e && gradient > (*e)[0]) gradient *= (*e)[2];
+      return bisect(begin, f, at(end), end - begin, gradient * length * (end - begin), root);
+    }
+
+    // f1 and f2 are the values at both ends; m bounds how much the function can change between them.
+    bool bisect(double t1, double f1, double f2, double width, double m, double& root) {
+      if (width < surface.iso_.accuracy) {
+        if (!(f2 < 0)) return false;
+        root = t1 + width;
+        return true;
+      }
+      if (const auto& e = surface.iso_.evaluate) {
+        const double slope = std::abs(f2 - f1) / (length * width);
+        if (gradient < slope * (*e)[1]) {
+          gradient = slope * (*e)[1] * (*e)[1];
+          m = gradient * length * width;
+        }
+      }
+      if (f1 + f2 - m >= 0) return false;
+      const double half = 0.5 * width;
+      const double middle = t1 + half;
+      const double f = at(middle);
+      return bisect(t1, f1, f, half, 0.5 * m, root) || bisect(middle, f, f2, half, 0.5 * m, root);
+    }
+  };
+
+  double value(const dvec3& p) const { return iso_.function->at(p) - iso_.threshold; }
+
+  Isosurface iso_;
+  Transform to_world_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> build(const Isosurface& isosurface, const Transform& to_world, BuildContext&) {
+  return std::make_unique<ImplicitSurface>(isosurface, to_world);
+}
+
+}  // namespace lute

@@ -74,7 +74,7 @@ class ParametricSurface final : public ScannedShape<ParametricSurface> {
 
  private:
   double at(int axis, double u, double v) const {
-    const double arguments[2] = {u, v};
+    const double arguments[3] = {u, v, 0};  // a function written without parameters has three
     double result = 0;
     p_.functions[static_cast<std::size_t>(axis)]->evaluate(arguments, &result);
     return result;

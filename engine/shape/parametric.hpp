@@ -24,7 +24,7 @@ class Function;  // engine/function/function.hpp
 
 struct Parametric {
   static constexpr std::string_view kKeyword = "parametric";
-  std::array<std::shared_ptr<const Function>, 3> functions;  // of two parameters
+  std::array<std::shared_ptr<const Function>, 3> functions;  // of u and v
   dvec2 lo{0}, hi{1};                                         // of (u, v), sorted
   Container container;
   double accuracy = 0.001, max_gradient = 1;

@@ -23,7 +23,7 @@ double slope_height(std::span<const SlopeMap::Entry> entries, double value) {
 }  // namespace
 
 CompiledNormal::CompiledNormal(const Normal& normal, bool no_bump_scale, TextureCompiler& compiler)
-    : pattern_(std::make_unique<CompiledPattern>(normal.body, compiler.pattern_settings())),
+    : pattern_(std::make_unique<CompiledPattern>(normal.body, compiler)),
       amount_(static_cast<double>(normal.amount)),
       accuracy_(static_cast<double>(normal.accuracy)),
       bump_scale_(!(normal.no_bump_scale || no_bump_scale)) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/texture/noise.hpp"
+#include "engine/texture/texture_compiler.hpp"
 
 namespace lute {
 namespace {
@@ -21,43 +22,56 @@ double shape_wave(Wave wave, double v, double exponent) {
 
 }  // namespace
 
-CompiledPattern::CompiledPattern(const PatternBody& body, const PatternSettings& settings)
+CompiledPattern::CompiledPattern(const PatternBody& body, TextureCompiler& compiler)
     : pattern_(body.pattern),
-      chain_(body.warps),
-      frequency_(body.frequency),
-      phase_(body.phase),
+      frequency_(static_cast<double>(body.frequency)),
+      phase_(static_cast<double>(body.phase)),
       wave_(body.wave),
-      wave_exponent_(body.wave_exponent),
-      noise_generator_(body.noise_generator != 0 ? body.noise_generator : settings.noise_generator),
-      waves_(settings.waves) {
-  if (!chain_.empty())
-    if (const auto* classic = std::get_if<ClassicTurbulence>(&chain_.back())) {
-      turbulence_ = std::make_shared<Turbulence>(*classic);
-      if (const AnyPattern* any = pattern())
-        own_turbulence_ = std::visit([](const auto& p) { return std::decay_t<decltype(p)>::kOwnTurbulence; }, *any);
-    }
+      wave_exponent_(static_cast<double>(body.wave_exponent)) {
+  const PatternSettings& settings = compiler.pattern_settings();
+  context_.noise_generator = body.noise_generator != 0 ? body.noise_generator : settings.noise_generator;
+  context_.frequency = body.frequency;
+  context_.phase = body.phase;
+  waves_ = settings.waves;
+  context_.waves = waves_.get();
+  take_warps(body.warps);
+  if (const AnyPattern* any = pattern()) find_resources(*any, compiler);
 }
 
-PatternContext CompiledPattern::context(const SurfaceContext& surface) const {
-  return {.noise_generator = noise_generator_,
-          .turbulence = turbulence_.get(),
-          .waves = waves_.get(),
-          .frequency = frequency_,
-          .phase = phase_,
-          .normal = surface.normal,
-          .ray_direction = surface.ray_direction,
-          .uv = surface.uv};
+void CompiledPattern::take_warps(const WarpChain& warps) {
+  bool own_turbulence = false;
+  if (const AnyPattern* any = pattern())
+    own_turbulence = std::visit([](const auto& p) { return std::decay_t<decltype(p)>::kOwnTurbulence; }, *any);
+  for (const Warp& w : warps) {
+    if (const auto* transform = std::get_if<Transform>(&w); transform != nullptr && transform->identity()) continue;
+    if (const auto* warp = std::get_if<TurbulenceWarp>(&w); warp != nullptr && warp->amount == dvec3(0)) continue;
+    if (const auto* classic = std::get_if<ClassicTurbulence>(&w)) {
+      turbulence_ = *classic;
+      if (own_turbulence || classic->amount == dvec3(0)) continue;
+    }
+    chain_.push_back(w);
+  }
+  if (turbulence_) context_.turbulence = &*turbulence_;
+}
+
+void CompiledPattern::find_resources(const AnyPattern& any, TextureCompiler& compiler) {
+  if (const auto* object = std::get_if<ObjectPattern>(&any)) {
+    inside_test_ = compiler.inside_test(object->object);
+    context_.inside_test = inside_test_.get();
+  }
+  if (const auto* pigment = std::get_if<PigmentPattern>(&any)) context_.pigment = compiler.pigment(pigment->pigment);
 }
 
 double CompiledPattern::value(const dvec3& warped, const SurfaceContext& surface) const {
   const AnyPattern* any = pattern();
   if (any == nullptr) return 0;
-  const PatternContext ctx = context(surface);
-  double v = std::visit([&](const auto& p) -> double { return evaluate(p, warped, ctx); }, *any);
+  PatternContext context = context_;
+  context.surface = &surface;
+  double v = std::visit([&](const auto& p) -> double { return evaluate(p, warped, context); }, *any);
   // The modulus is a little above 1 so that a raw value of exactly 1 survives.
-  if (frequency_ != 0) v = std::fmod(v * static_cast<double>(frequency_) + static_cast<double>(phase_), 1.00001);
+  if (frequency_ != 0) v = std::fmod(v * frequency_ + phase_, 1.00001);
   if (v < 0) v -= std::floor(v);
-  return shape_wave(wave_, v, static_cast<double>(wave_exponent_));
+  return shape_wave(wave_, v, wave_exponent_);
 }
 
 bool CompiledPattern::perturbs_normals() const {
@@ -70,11 +84,12 @@ bool CompiledPattern::perturbs_normals() const {
 }
 
 dvec3 CompiledPattern::perturb(const dvec3& normal, double amount, const dvec3& warped, const SurfaceContext& surface) const {
-  const PatternContext ctx = context(surface);
+  PatternContext context = context_;
+  context.surface = &surface;
   return std::visit(
       [&](const auto& p) {
-        if constexpr (requires { lute::perturb(p, normal, amount, warped, ctx); })
-          return lute::perturb(p, normal, amount, warped, ctx);
+        if constexpr (requires { lute::perturb(p, normal, amount, warped, context); })
+          return lute::perturb(p, normal, amount, warped, context);
         else
           return normal;
       },

@@ -2,25 +2,31 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "engine/scene/texture.hpp"
+#include "engine/texture/inside_test.hpp"
 #include "engine/texture/pattern/wave_sources.hpp"
 #include "engine/texture/surface_context.hpp"
 
 namespace lute {
 
+class TextureCompiler;
+
 // What all patterns of a scene have in common.
 struct PatternSettings {
   int noise_generator = 2;
-  std::shared_ptr<const WaveSources> waves;  // null where no pattern needs them
+  std::shared_ptr<const WaveSources> waves;
 };
 
 class CompiledPattern {
  public:
-  CompiledPattern(const PatternBody& body, const PatternSettings& settings);
+  CompiledPattern(const PatternBody& body, TextureCompiler& compiler);
+  CompiledPattern(const CompiledPattern&) = delete;
+  CompiledPattern& operator=(const CompiledPattern&) = delete;
 
   // The point after the chain of warps.
-  dvec3 warp(const dvec3& point) const { return chain_.empty() ? point : apply_warps(chain_, point, own_turbulence_); }
+  dvec3 warp(const dvec3& point) const { return chain_.empty() ? point : apply_warps(chain_, point, false); }
   // The pattern's value at a warped point, wave included.
   double value(const dvec3& warped, const SurfaceContext& surface) const;
 
@@ -37,17 +43,18 @@ class CompiledPattern {
   dvec3 carry_out(dvec3 normal, bool normalise) const;
 
  private:
-  PatternContext context(const SurfaceContext& surface) const;
+  void take_warps(const WarpChain& warps);
+  void find_resources(const AnyPattern& any, TextureCompiler& compiler);
 
   std::variant<NoPattern, Average, UvMapping, AnyPattern> pattern_;
-  WarpChain chain_;
-  float frequency_, phase_;
+  WarpChain chain_;  // without what has no effect on the point
+  double frequency_, phase_;
   Wave wave_;
-  float wave_exponent_;
-  int noise_generator_;
+  double wave_exponent_;
+  PatternContext context_;                // all but the surface
+  std::optional<Turbulence> turbulence_;  // the classic one, if the chain ends with it
   std::shared_ptr<const WaveSources> waves_;
-  std::shared_ptr<const Turbulence> turbulence_;  // the classic one, if the chain ends with it
-  bool own_turbulence_ = false;
+  std::shared_ptr<const InsideTest> inside_test_;
 };
 
 }  // namespace lute

@@ -18,26 +18,34 @@ class CompiledPigment {
 
   // The colour at a point of the texture's space. False: no colour here (the pigment is an image shown once, and the point lies
   // outside); `color` is then clear.
-  bool evaluate(const dvec3& point, const SurfaceContext& surface, Color& color) const;
+  bool evaluate(const dvec3& point, const SurfaceContext& surface, Color& color) const {
+    if (kind_ != Kind::kConstant) return evaluate_pattern(point, surface, color);
+    color = constant_;
+    return true;
+  }
 
   bool is_constant() const { return kind_ == Kind::kConstant; }
   bool is_opaque() const { return opaque_; }  // no colour of it has filter or transmit
 
  private:
-  enum class Kind : std::uint8_t { kConstant, kColors, kPigments, kAverage, kUv };
+  enum class Kind : std::uint8_t { kConstant, kColors, kPigments, kAverage, kUv, kImage };
   struct PigmentEntry {
     float position;
     const CompiledPigment* pigment;
   };
 
-  bool blended(const dvec3& point, const SurfaceContext& surface, Color& color) const;
-  bool averaged(const dvec3& point, const SurfaceContext& surface, Color& color) const;
+  void take_pigments(const PigmentMap& map, TextureCompiler& compiler);
+  bool evaluate_pattern(const dvec3& point, const SurfaceContext& surface, Color& color) const;
+  void look_up(double value, Color& color) const;
+  void blend(const dvec3& warped, const SurfaceContext& surface, Color& color) const;
+  void average(const dvec3& warped, const SurfaceContext& surface, Color& color) const;
 
   Kind kind_ = Kind::kConstant;
   Color constant_;
   std::vector<ColorMap::Entry> colors_;
   std::vector<PigmentEntry> pigments_;
   std::unique_ptr<CompiledPattern> pattern_;  // null for constants
+  const ImageMap* image_ = nullptr;           // of an image
   bool opaque_ = true;
 };
 

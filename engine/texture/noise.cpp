@@ -165,15 +165,7 @@ double perlin(const dvec3& p) {
   return lerp(sz, lerp(sy, near_y0, near_y1), lerp(sy, far_y0, far_y1));
 }
 
-const std::vector<double>& mersenne_table() {
-  static const std::vector<double> table = [] {
-    std::mt19937 generator;  // default seed 5489
-    std::vector<double> values(32768);
-    for (double& v : values) v = static_cast<double>(generator()) / 4294967296.0;
-    return values;
-  }();
-  return table;
-}
+constexpr std::size_t kRandomNumbers = 32768;
 
 }  // namespace
 
@@ -184,7 +176,18 @@ std::uint32_t hash3(std::int64_t x, std::int64_t y, std::int64_t z) {
   return kHash[kHash[kHash[low(x)] ^ low(y)] ^ low(z)];
 }
 
-double random_table(std::uint32_t index) { return mersenne_table()[index & 32767u]; }
+const double* random_numbers() {
+  static const std::vector<double> table = [] {
+    std::mt19937 generator;  // default seed 5489
+    std::vector<double> values(kRandomNumbers + 2);
+    for (std::size_t i = 0; i < kRandomNumbers; ++i) values[i] = static_cast<double>(generator()) / 4294967296.0;
+    for (std::size_t i = 0; i < 2; ++i) values[kRandomNumbers + i] = values[i];
+    return values;
+  }();
+  return table.data();
+}
+
+double random_table(std::uint32_t index) { return random_numbers()[index & (kRandomNumbers - 1)]; }
 
 double noise(const dvec3& p, int generator) {
   switch (generator) {

@@ -14,6 +14,8 @@ std::uint32_t hash3(std::int64_t x, std::int64_t y, std::int64_t z);
 std::uint32_t hash_table(std::uint32_t index);
 // R of chapter 50 §1: MT19937 scaled to [0, 1), index modulo 32768.
 double random_table(std::uint32_t index);
+// The table itself, long enough for index 32767 + 2.
+const double* random_numbers();
 
 // 0...1; generator 1 (original), 2 (range corrected) or 3 (Perlin).
 double noise(const dvec3& p, int generator);

@@ -1,10 +1,32 @@
 #include "engine/texture/texture_compiler.hpp"
 
+#include <algorithm>
+
 namespace lute {
+namespace {
+
+struct NothingInside final : InsideTest {
+  bool inside(const dvec3&) const override { return false; }
+};
+
+// A map of images is opaque if it is shown everywhere and all its textures are (chapter 40 §11).
+bool is_opaque_material_map(const CompiledTexture& texture) {
+  const AnyPattern* any = texture.pattern->pattern();
+  const auto* map = any != nullptr ? std::get_if<MaterialMap>(any) : nullptr;
+  return map != nullptr && !map->mapping.once &&
+         std::all_of(texture.entries.begin(), texture.entries.end(), [](const auto& e) { return e.texture->opaque; });
+}
+
+}  // namespace
 
 TextureCompiler::TextureCompiler(const TextureSettings& settings) : settings_(settings) {
   pattern_settings_.noise_generator = settings.noise_generator;
   pattern_settings_.waves = std::make_shared<WaveSources>(make_wave_sources(settings.number_of_waves));
+}
+
+std::shared_ptr<const InsideTest> TextureCompiler::inside_test(const std::shared_ptr<const Object>& object) {
+  if (settings_.inside_test) return settings_.inside_test(object);
+  return std::make_shared<NothingInside>();
 }
 
 const CompiledPigment* TextureCompiler::pigment(const PigmentPtr& description) {
@@ -36,8 +58,9 @@ const CompiledTexture* TextureCompiler::texture(const TexturePtr& description) {
     }
   } else {
     const auto& patterned = std::get<PatternedTexture>(description->content);
-    compiled->pattern = std::make_unique<CompiledPattern>(patterned.body, pattern_settings_);
+    compiled->pattern = std::make_unique<CompiledPattern>(patterned.body, *this);
     for (const auto& entry : patterned.map.entries) compiled->entries.push_back({entry.position, texture(entry.value)});
+    compiled->opaque = is_opaque_material_map(*compiled);
   }
   return (textures_[description.get()] = std::move(compiled)).get();
 }

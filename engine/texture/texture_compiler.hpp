@@ -14,6 +14,7 @@ struct TextureSettings {
   int noise_generator = 2;
   int number_of_waves = 10;
   bool quick_colors = false;  // quality 5 and below
+  InsideTestMaker inside_test;  // for object patterns; without it nothing is inside
 };
 
 class TextureCompiler {
@@ -23,6 +24,9 @@ class TextureCompiler {
   const CompiledTexture* texture(const TexturePtr& description);
   const CompiledPigment* pigment(const PigmentPtr& description);
   const CompiledNormal* normal(const NormalPtr& description, bool no_bump_scale);  // null for null
+
+  // Never null.
+  std::shared_ptr<const InsideTest> inside_test(const std::shared_ptr<const Object>& object);
 
   const PatternSettings& pattern_settings() const { return pattern_settings_; }
   bool quick_colors() const { return settings_.quick_colors; }

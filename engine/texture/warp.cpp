@@ -8,13 +8,6 @@
 namespace lute {
 namespace {
 
-// The turn around the y axis as a fraction of the circle, from +x toward +z (chapter 50 §5.5).
-double turn(double x, double z) {
-  if (z == 0) return x > 0 ? 0 : 0.5;
-  const double angle = std::acos(x / std::sqrt(x * x + z * z));
-  return (z < 0 ? 2 * kPi - angle : angle) / (2 * kPi);
-}
-
 dvec3 orient(const dvec3& mapped, const dvec3& o) {
   if (o == dvec3(0, 0, 1)) return mapped;
   return {o.x * mapped.z + o.y * mapped.x + o.z * mapped.x, o.x * mapped.y - o.y * mapped.z + o.z * mapped.y,
@@ -65,25 +58,23 @@ dvec3 warp(const PlanarWarp& w, const dvec3& p) { return orient({p.x, p.y, w.off
 dvec3 warp(const CylindricalWarp& w, const dvec3& p) {
   const double length = std::sqrt(p.x * p.x + p.z * p.z);
   if (length == 0) return p;
-  return orient({turn(p.x, p.z) * stretch(length, w.dist_exp), p.y, length}, w.orientation);
+  return orient({turn_about_y(p.x, p.z) * stretch(length, w.dist_exp), p.y, length}, w.orientation);
 }
 
 dvec3 warp(const SphericalWarp& w, const dvec3& p) {
   const double r = glm::length(p);
   if (r == 0) return p;
   const double s = stretch(r, w.dist_exp);
-  const double u = p.x == 0 && p.z == 0 ? 0 : turn(p.x, p.z);
+  const double u = p.x == 0 && p.z == 0 ? 0 : turn_about_y(p.x, p.z);
   return orient({u * s, (0.5 + std::asin(p.y / r) / kPi) * s, r}, w.orientation);
 }
 
 dvec3 warp(const ToroidalWarp& w, const dvec3& p) {
   const double length = std::sqrt(p.x * p.x + p.z * p.z);
   if (length == 0) return p;
-  const double a = length - w.major_radius, m = std::sqrt(a * a + p.y * p.y);
-  double phi = std::acos(-a / m);
-  if (p.y > 0) phi = 2 * kPi - phi;
-  const double s = stretch(m, w.dist_exp);
-  return orient({turn(p.x, p.z) * s, phi / (2 * kPi) * s, m}, w.orientation);
+  const RingPosition ring = turn_about_ring(p, w.major_radius);
+  const double s = stretch(ring.distance, w.dist_exp);
+  return orient({turn_about_y(p.x, p.z) * s, ring.turn * s, ring.distance}, w.orientation);
 }
 
 dvec3 warp(const CubicWarp&, const dvec3& p) {
@@ -98,6 +89,18 @@ dvec3 warp(const CubicWarp&, const dvec3& p) {
 }
 
 }  // namespace
+
+double turn_about_y(double x, double z) {
+  if (z == 0) return x > 0 ? 0 : 0.5;
+  const double angle = std::acos(x / std::sqrt(x * x + z * z));
+  return (z < 0 ? 2 * kPi - angle : angle) / (2 * kPi);
+}
+
+RingPosition turn_about_ring(const dvec3& p, double major_radius) {
+  const double a = std::sqrt(p.x * p.x + p.z * p.z) - major_radius, m = std::sqrt(a * a + p.y * p.y);
+  const double phi = std::acos(-a / m);
+  return {(p.y > 0 ? 2 * kPi - phi : phi) / (2 * kPi), m};
+}
 
 dvec3 apply_warps(const WarpChain& chain, dvec3 point, bool skip_classic_turbulence) {
   for (const Warp& w : chain) {

@@ -48,6 +48,15 @@ using WarpChain = std::vector<Warp>;
 // The point after the chain, each coordinate kept within 1e17. Classic turbulence is left out where the pattern uses it itself.
 dvec3 apply_warps(const WarpChain& chain, dvec3 point, bool skip_classic_turbulence);
 
+// The turn of (x, z) around the y axis as a fraction of the circle, from +x toward +z.
+double turn_about_y(double x, double z);
+// The turn of a point around the ring of radius `major_radius` in the x-z plane as a fraction of the circle, and its distance from
+// the ring.
+struct RingPosition {
+  double turn, distance;
+};
+RingPosition turn_about_ring(const dvec3& p, double major_radius);
+
 // A transformation written after the chain: composed into the first element if that is a transformation, else put in front.
 void prepend_transform(WarpChain& chain, const Transform& transform);
 

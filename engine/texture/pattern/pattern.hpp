@@ -17,8 +17,11 @@
 
 namespace lute {
 
-struct Turbulence;   // engine/texture/warp.hpp
-struct WaveSources;  // engine/texture/pattern/wave_sources.hpp
+struct Turbulence;      // engine/texture/warp.hpp
+struct WaveSources;     // engine/texture/pattern/wave_sources.hpp
+struct SurfaceContext;  // engine/texture/surface_context.hpp
+class CompiledPigment;  // engine/texture/compiled_pigment.hpp
+class InsideTest;       // engine/texture/inside_test.hpp
 
 enum class Wave : std::uint8_t { kRamp, kTriangle, kSine, kScallop, kCubic, kPoly };
 
@@ -31,14 +34,13 @@ struct PatternDefaults {
 
 // What a pattern may look at besides the point.
 struct PatternContext {
-  int noise_generator = 2;                  // 1, 2 or 3, already resolved
-  const Turbulence* turbulence = nullptr;   // the classic turbulence of the body, for patterns with it in their formula
-  const WaveSources* waves = nullptr;       // for ripples and waves
-  float frequency = 1, phase = 0;           // as written, for ripples and waves
-  // The surface being shaded, for slope and aoi; normal is zero where there is no surface (sky, media, functions).
-  dvec3 normal{0};         // current perturbed normal
-  dvec3 ray_direction{0};  // unit, toward the surface
-  dvec2 uv{0};
+  int noise_generator = 2;                 // 1, 2 or 3, already resolved
+  const Turbulence* turbulence = nullptr;  // the classic turbulence of the body, for patterns with it in their formula
+  const WaveSources* waves = nullptr;      // for ripples and waves
+  float frequency = 1, phase = 0;          // as written, for ripples and waves
+  const InsideTest* inside_test = nullptr;   // of an object pattern
+  const CompiledPigment* pigment = nullptr;  // of a pigment_pattern
+  const SurfaceContext* surface = nullptr;   // never null while a pattern is evaluated
 };
 
 }  // namespace lute

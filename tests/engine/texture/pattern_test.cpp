@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "engine/texture/compiled_pattern.hpp"
+#include "engine/texture/texture_compiler.hpp"
 
 namespace lute {
 namespace {
@@ -17,9 +17,8 @@ PatternBody body_of(const Pattern& pattern) {
 }
 
 void expect_values(const PatternBody& body, double at1, double at2, double at3) {
-  PatternSettings settings;
-  settings.waves = std::make_shared<WaveSources>(make_wave_sources(10));
-  const CompiledPattern pattern(body, settings);
+  TextureCompiler compiler{TextureSettings()};
+  const CompiledPattern pattern(body, compiler);
   const auto at = [&](const dvec3& p) { return pattern.value(pattern.warp(p), SurfaceContext()); };
   EXPECT_NEAR(at(kP1), at1, 1e-11);
   EXPECT_NEAR(at(kP2), at2, 1e-11);

@@ -1,0 +1,153 @@
+#include "engine/image/image_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "engine/image/format_library.hpp"
+#include "engine/image/png_reader.hpp"
+
+namespace lute {
+namespace {
+
+using Convert = std::function<float(float)>;
+
+// From stored values to the working space. `curve`: the file's own; nothing: values are taken as being in the working space.
+Convert conversion(const ImageFileOptions& options, std::optional<GammaCurve> curve) {
+  const auto same = [](float v) { return v; };
+  if (options.file_gamma)
+    curve = options.file_gamma;
+  else if (!options.for_colors)
+    return same;
+  if (!options.working || !curve || *curve == *options.working) {
+    // Values that are not colours become linear light by an explicit `gamma`, whatever the working space.
+    if (!options.for_colors && curve) return [c = *curve](float v) { return c.decode(v); };
+    return same;
+  }
+  if (!options.for_colors) return [c = *curve](float v) { return c.decode(v); };
+  return [c = *curve, w = *options.working](float v) { return w.encode(c.decode(v)); };
+}
+
+std::vector<float> table(std::size_t size, const Convert& convert) {
+  std::vector<float> values(size);
+  for (std::size_t i = 0; i < size; ++i) values[i] = convert(static_cast<float>(i) / static_cast<float>(size - 1));
+  return values;
+}
+
+// The reference brings grey files back to 8 bits after decoding, by way of its grey formula in single precision, and truncates.
+void requantise_grey(std::vector<float>& decoded) {
+  for (float& v : decoded) {
+    const float grey_value = 0.297f * v + 0.589f * v + 0.114f * v;
+    v = std::trunc(255.0f * grey_value) / 255.0f;
+  }
+}
+
+std::optional<GammaCurve> curve_of_png(const PngContent& png, const ImageFileOptions& options) {
+  if (png.srgb) return GammaCurve{.srgb = true, .power = 1};
+  if (png.gamma > 0) return GammaCurve{.srgb = false, .power = 1 / png.gamma};
+  if (options.legacy) return std::nullopt;
+  return GammaCurve{.srgb = true, .power = 1};
+}
+
+std::optional<GammaCurve> curve_of_format(const std::string& format, const ImageFileOptions& options) {
+  if (format == "openexr" || format == "hdr") return GammaCurve{};
+  const bool picture = format == "jpeg" || format == "gif" || format == "bmp" || format == "targa";
+  if (picture && !options.legacy) return GammaCurve{.srgb = true, .power = 1};
+  return std::nullopt;
+}
+
+std::shared_ptr<Image> make_png(const std::string& path, const ImageFileOptions& options, std::string& error) {
+  PngContent png;
+  if (!read_png(path, png, error)) return nullptr;
+  const Convert convert = conversion(options, curve_of_png(png, options));
+  if (!png.palette.empty()) {
+    for (Image::Pixel& p : png.palette) p.rgb = {convert(p.rgb.r), convert(p.rgb.g), convert(p.rgb.b)};
+    return std::make_shared<Image>(png.width, png.height, std::move(png.bytes), std::move(png.palette));
+  }
+  if (png.deep) return std::make_shared<Image>(png.width, png.height, png.channels, std::move(png.words), table(65536, convert));
+  std::vector<float> decoded = table(256, convert);
+  if (png.grey_file) requantise_grey(decoded);
+  return std::make_shared<Image>(png.width, png.height, png.channels, std::move(png.bytes), std::move(decoded));
+}
+
+template <class Integer>
+std::vector<Integer> integers(const std::vector<float>& values) {
+  constexpr float kMaximum = static_cast<float>(std::numeric_limits<Integer>::max());
+  std::vector<Integer> result(values.size());
+  std::transform(values.begin(), values.end(), result.begin(),
+                 [](float v) { return static_cast<Integer>(std::lround(std::clamp(v, 0.0f, 1.0f) * kMaximum)); });
+  return result;
+}
+
+std::shared_ptr<Image> make_other(const std::string& path, const ImageFileOptions& options, std::string& error) {
+  const FormatLibrary* library = format_library(error);
+  if (library == nullptr) return nullptr;
+  ImagePixels pixels;
+  ImageFileInfo info;
+  if (!library->read(path, pixels, info, error)) return nullptr;
+  const Convert convert = conversion(options, curve_of_format(info.format, options));
+  std::shared_ptr<Image> image;
+  if (info.stored == ChannelType::kUint8) {
+    image = std::make_shared<Image>(pixels.width, pixels.height, pixels.channels, integers<std::uint8_t>(pixels.values),
+                                    table(256, convert));
+  } else if (info.stored == ChannelType::kUint16 && info.format == "tiff") {
+    // The reference reads TIFF files with 8 bits only.
+    const std::vector<std::uint16_t> deep = integers<std::uint16_t>(pixels.values);
+    std::vector<std::uint8_t> bytes(deep.size());
+    std::transform(deep.begin(), deep.end(), bytes.begin(), [](std::uint16_t v) { return static_cast<std::uint8_t>(v >> 8); });
+    image = std::make_shared<Image>(pixels.width, pixels.height, pixels.channels, std::move(bytes), table(256, convert));
+  } else if (info.stored == ChannelType::kUint16) {
+    image = std::make_shared<Image>(pixels.width, pixels.height, pixels.channels, integers<std::uint16_t>(pixels.values),
+                                    table(65536, convert));
+  } else {
+    const bool has_alpha = pixels.channels % 2 == 0;
+    for (std::size_t i = 0; i < pixels.values.size(); ++i) {
+      const bool is_alpha = has_alpha && static_cast<int>(i % static_cast<std::size_t>(pixels.channels)) == pixels.channels - 1;
+      if (!is_alpha) pixels.values[i] = convert(pixels.values[i]);
+    }
+    image = std::make_shared<Image>(pixels.width, pixels.height, pixels.channels, std::move(pixels.values));
+  }
+  image->set_premultiplied(info.alpha_premultiplied);
+  return image;
+}
+
+}  // namespace
+
+float GammaCurve::decode(float stored) const {
+  if (!srgb) return power == 1 ? stored : static_cast<float>(std::pow(static_cast<double>(stored), power));
+  const double v = static_cast<double>(stored);
+  return static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+}
+
+float GammaCurve::encode(float light) const {
+  if (!srgb) return power == 1 ? light : static_cast<float>(std::pow(static_cast<double>(light), 1 / power));
+  const double v = static_cast<double>(light);
+  return static_cast<float>(v <= 0.0031308 ? v * 12.92 : 1.055 * std::pow(v, 1 / 2.4) - 0.055);
+}
+
+std::string image_type_of(const std::string& path) {
+  const std::size_t dot = path.find_last_of('.');
+  if (dot == std::string::npos || path.find('/', dot) != std::string::npos) return "";
+  std::string extension = path.substr(dot + 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  static const std::map<std::string, std::string> types = {
+      {"gif", "gif"},   {"tga", "tga"}, {"png", "png"},   {"jpg", "jpeg"}, {"jpeg", "jpeg"}, {"tif", "tiff"}, {"tiff", "tiff"},
+      {"bmp", "bmp"},   {"ppm", "ppm"}, {"pgm", "pgm"},   {"exr", "exr"},  {"hdr", "hdr"},   {"iff", "iff"},  {"pot", "pot"}};
+  const auto found = types.find(extension);
+  return found == types.end() ? "" : found->second;
+}
+
+ImagePtr ImageFiles::load(const std::string& path, const ImageFileOptions& options, std::string& error) {
+  const auto key = std::make_pair(path, options);
+  if (const auto it = loaded_.find(key); it != loaded_.end()) return it->second;
+  const std::string type = options.type.empty() ? image_type_of(path) : options.type;
+  const std::shared_ptr<Image> image = type == "png" ? make_png(path, options, error) : make_other(path, options, error);
+  if (image == nullptr) return nullptr;
+  if (options.premultiplied) image->set_premultiplied(*options.premultiplied);
+  return loaded_[key] = image;
+}
+
+}  // namespace lute

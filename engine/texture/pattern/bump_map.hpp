@@ -1,0 +1,18 @@
+// bump_map { IMAGE ... }, normals only: the image as heights (specification chapter 50 §11.4).
+#pragma once
+
+#include "engine/texture/image_mapping.hpp"
+#include "engine/texture/pattern/pattern.hpp"
+
+namespace lute {
+
+struct BumpMap : PatternDefaults {
+  static constexpr std::string_view kKeyword = "bump_map";
+  static constexpr float kFrequency = 0;
+  ImageMapping mapping;
+};
+
+double evaluate(const BumpMap& pattern, const dvec3& point, const PatternContext& context);
+dvec3 perturb(const BumpMap& pattern, const dvec3& normal, double amount, const dvec3& point, const PatternContext& context);
+
+}  // namespace lute

@@ -1,0 +1,91 @@
+#include "engine/texture/pattern/fractal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lute {
+namespace {
+
+FractalPoint operator+(FractalPoint a, FractalPoint b) { return {a.re + b.re, a.im + b.im}; }
+FractalPoint operator-(FractalPoint a, double b) { return {a.re - b, a.im}; }
+FractalPoint operator*(FractalPoint a, FractalPoint b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
+FractalPoint operator*(double s, FractalPoint a) { return {s * a.re, s * a.im}; }
+FractalPoint operator/(FractalPoint a, FractalPoint b) {
+  const double d = norm2(b);
+  return {(a.re * b.re + a.im * b.im) / d, (a.im * b.re - a.re * b.im) / d};
+}
+
+FractalPoint power(FractalPoint z, int exponent) {
+  FractalPoint result = z;
+  for (int i = 1; i < exponent; ++i) result = result * z;
+  return result;
+}
+
+FractalPoint magnet_step(int type, FractalPoint z, FractalPoint c) {
+  if (type == 1) {
+    const FractalPoint q = (z * z + c - 1) / (2 * z + c - 2);
+    return q * q;
+  }
+  const FractalPoint c1 = c - 1, c2 = c - 2, c12 = c1 * c2, z2 = z * z;
+  const FractalPoint q = (z2 * z + 3 * (c1 * z) + c12) / (3 * z2 + 3 * (c2 * z) + c12 - -1.0);
+  return q * q;
+}
+
+}  // namespace
+
+double exterior_value(const FractalSettings& settings, int step, const FractalPoint& z) {
+  const double f = settings.exterior_factor;
+  switch (settings.exterior_type) {
+    case 0: return f;
+    case 1: return static_cast<double>(step) / settings.iterations;
+    case 2: return z.re * f;
+    case 3: return z.im * f;
+    case 4: return z.re * z.re * f;
+    case 5: return z.im * z.im * f;
+    case 6: return std::sqrt(norm2(z)) * f;
+    case 7: {
+      const int m = static_cast<int>(f);
+      return m != 0 ? (step % m) / f : 0;
+    }
+    default: {
+      const int m = static_cast<int>(f + 1);
+      return m != 0 ? (step % m) / f : 0;
+    }
+  }
+}
+
+double interior_value(const FractalSettings& settings, const FractalPoint& z, double nearest2) {
+  const double f = settings.interior_factor;
+  switch (settings.interior_type) {
+    case 0: return f;
+    case 1: return std::sqrt(nearest2) * f;
+    case 2: return z.re * f;
+    case 3: return z.im * f;
+    case 4: return z.re * z.re * f;
+    case 5: return z.im * z.im * f;
+    default: return z.re * z.re + z.im * z.im * f;  // the factor belongs to one square only, as the reference has it
+  }
+}
+
+double iterate_power(const FractalSettings& settings, int exponent, FractalPoint z, const FractalPoint& c) {
+  double nearest2 = norm2(z);
+  for (int n = 0; n < settings.iterations; ++n) {
+    z = power(z, exponent) + c;
+    const double size2 = norm2(z);
+    nearest2 = std::min(nearest2, size2);
+    if (size2 > 4) return exterior_value(settings, n, z);
+  }
+  return interior_value(settings, z, nearest2);
+}
+
+double iterate_magnet(const FractalSettings& settings, int type, FractalPoint z, const FractalPoint& c, double nearest2) {
+  for (int n = 0; n < settings.iterations; ++n) {
+    z = magnet_step(type, z, c);
+    const double size2 = norm2(z);
+    nearest2 = std::min(nearest2, size2);
+    if (size2 > 10000 || norm2(z - 1) < 0.0001) return exterior_value(settings, n, z);
+  }
+  return interior_value(settings, z, nearest2);
+}
+
+}  // namespace lute

@@ -1,0 +1,18 @@
+// image_pattern { IMAGE once map_type interpolate use_alpha ... } (specification chapter 50 §11.5).
+#pragma once
+
+#include "engine/texture/image_mapping.hpp"
+#include "engine/texture/pattern/pattern.hpp"
+
+namespace lute {
+
+struct ImagePattern : PatternDefaults {
+  static constexpr std::string_view kKeyword = "image_pattern";
+  static constexpr float kFrequency = 0;
+  ImageMapping mapping;
+  bool use_alpha = false;
+};
+
+double evaluate(const ImagePattern& pattern, const dvec3& point, const PatternContext& context);
+
+}  // namespace lute

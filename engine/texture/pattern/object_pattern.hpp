@@ -1,0 +1,21 @@
+// object { OBJECT outside, inside }: 1 inside an object, 0 outside (specification chapter 50 §6).
+#pragma once
+
+#include <memory>
+
+#include "engine/texture/pattern/pattern.hpp"
+
+namespace lute {
+
+struct Object;  // engine/scene/object.hpp
+
+struct ObjectPattern : PatternDefaults {
+  static constexpr std::string_view kKeyword = "object";
+  static constexpr float kFrequency = 0;
+  static constexpr int kListLength = 2;  // outside, inside
+  std::shared_ptr<const Object> object;  // never null
+};
+
+double evaluate(const ObjectPattern& pattern, const dvec3& point, const PatternContext& context);
+
+}  // namespace lute

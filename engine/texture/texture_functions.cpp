@@ -1,0 +1,56 @@
+#include "engine/texture/texture_functions.hpp"
+
+#include "engine/texture/texture_compiler.hpp"
+
+namespace lute {
+namespace {
+
+TextureSettings settings_for(int noise_generator, const InsideTestMaker& inside_test) {
+  TextureSettings settings;
+  settings.noise_generator = noise_generator;
+  settings.inside_test = inside_test;
+  return settings;
+}
+
+class PigmentFunction final : public Function {
+ public:
+  PigmentFunction(const PigmentPtr& pigment, const TextureSettings& settings)
+      : Function(3, 5), compiler_(settings), pigment_(compiler_.pigment(pigment)) {}
+
+  void evaluate(const double* arguments, double* results) const override {
+    Color c;
+    pigment_->evaluate({arguments[0], arguments[1], arguments[2]}, SurfaceContext{}, c);
+    const float values[5] = {c.rgb.r, c.rgb.g, c.rgb.b, c.filter, c.transmit};
+    for (int i = 0; i < 5; ++i) results[i] = static_cast<double>(values[i]);
+  }
+
+ private:
+  TextureCompiler compiler_;
+  const CompiledPigment* pigment_;
+};
+
+class PatternFunction final : public Function {
+ public:
+  PatternFunction(const PatternBody& body, const TextureSettings& settings)
+      : Function(3, 1), compiler_(settings), pattern_(body, compiler_) {}
+
+  void evaluate(const double* arguments, double* results) const override {
+    results[0] = pattern_.value(pattern_.warp({arguments[0], arguments[1], arguments[2]}), SurfaceContext{});
+  }
+
+ private:
+  TextureCompiler compiler_;
+  CompiledPattern pattern_;
+};
+
+}  // namespace
+
+FunctionPtr CompiledTextureFunctions::pigment_function(const PigmentPtr& pigment, int noise_generator) {
+  return std::make_shared<PigmentFunction>(pigment, settings_for(noise_generator, inside_test_));
+}
+
+FunctionPtr CompiledTextureFunctions::pattern_function(const PatternBody& pattern, int noise_generator) {
+  return std::make_shared<PatternFunction>(pattern, settings_for(noise_generator, inside_test_));
+}
+
+}  // namespace lute

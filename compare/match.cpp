@@ -1,0 +1,42 @@
+#include "compare/match.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace lute::compare {
+
+ReferenceNoiseTable::ReferenceNoiseTable(const std::filesystem::path& csv) {
+  std::ifstream stream(csv);
+  if (!stream) throw std::runtime_error("cannot read " + csv.string());
+  std::string line;
+  std::getline(stream, line);  // the names of the columns
+  while (std::getline(stream, line)) {
+    if (line.empty()) continue;
+    std::istringstream fields(line);
+    std::string scene;
+    ReferenceNoise noise;
+    char comma = 0;
+    std::getline(fields, scene, ',');
+    if (!(fields >> noise.within >> comma >> noise.rmse >> comma >> noise.block98_255)) {
+      throw std::runtime_error("not a line of noise figures in " + csv.string() + ": " + line);
+    }
+    rows_[scene] = noise;
+  }
+}
+
+std::optional<ReferenceNoise> ReferenceNoiseTable::find(const std::string& scene) const {
+  const auto row = rows_.find(scene);
+  if (row == rows_.end()) return {};
+  return row->second;
+}
+
+bool matches(const Difference& difference, const std::optional<ReferenceNoise>& noise) {
+  if (difference.within >= kLeastShareWithin && difference.rmse <= kLargestRmse) return true;
+  if (!noise) return false;
+  return difference.rmse <= std::max(kNoiseRmseFactor * noise->rmse, kLeastNoiseRmse) &&
+         difference.block98_255 <= std::max(kNoiseBlockFactor * noise->block98_255, kLeastNoiseBlock255);
+}
+
+}  // namespace lute::compare

@@ -1,0 +1,109 @@
+#include "compare/renderer.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <system_error>
+
+#include "compare/content_hash.hpp"
+#include "compare/scratch_folder.hpp"
+
+namespace lute::compare {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kKeptMessages = 6000;
+
+std::string end_of_file(const fs::path& path) {
+  std::error_code missing;
+  if (!fs::exists(path, missing)) return {};
+  std::string text = read_file(path);
+  std::replace(text.begin(), text.end(), '\r', '\n');
+  // What a program says first (warnings of the parser) and last (the error) both matter.
+  if (text.size() > kKeptMessages) {
+    text = text.substr(0, kKeptMessages / 2) + "\n[…]\n" + text.substr(text.size() - kKeptMessages / 2);
+  }
+  return text;
+}
+
+RenderOutcome outcome_of(const ProcessResult& process, const fs::path& picture) {
+  if (!process.started) return RenderOutcome::kNotStarted;
+  if (process.timed_out) return RenderOutcome::kTimedOut;
+  if (process.signal != 0) return RenderOutcome::kCrashed;
+  std::error_code missing;
+  return process.exit_code == 0 && fs::exists(picture, missing) ? RenderOutcome::kRendered : RenderOutcome::kRejected;
+}
+
+}  // namespace
+
+std::vector<std::string> RenderSettings::picture_switches() const {
+  std::vector<std::string> all = {"+W" + std::to_string(width), "+H" + std::to_string(height)};
+  all.insert(all.end(), switches.begin(), switches.end());
+  all.push_back("+FN8");
+  return all;
+}
+
+const char* name_of(RenderOutcome outcome) {
+  switch (outcome) {
+    case RenderOutcome::kRendered:
+      return "rendered";
+    case RenderOutcome::kRejected:
+      return "rejected";
+    case RenderOutcome::kTimedOut:
+      return "timeout";
+    case RenderOutcome::kCrashed:
+      return "crashed";
+    case RenderOutcome::kNotStarted:
+      return "not started";
+  }
+  return "";
+}
+
+RenderRun render(const std::string& program, const fs::path& scene, const fs::path& picture,
+                 const RenderSettings& settings) {
+  const fs::path folder = fs::absolute(scene).parent_path();
+  const ScratchFolder scratch(folder);
+  const ScratchFolder output;
+
+  ProcessRequest request;
+  request.arguments = {program,
+                       "+I" + scene.filename().string(),
+                       "+L" + folder.string(),
+                       "+O" + (output.path() / "picture.png").string(),
+                       "-D",
+                       "-P"};
+  for (const std::string& item : settings.picture_switches()) request.arguments.push_back(item);
+  request.working_directory = scratch.path();
+  request.standard_error = output.path() / "messages";
+  request.time_limit = settings.time_limit;
+  request.memory_limit = settings.memory_limit;
+
+  RenderRun run;
+  run.process = run_process(request);
+  run.messages = end_of_file(request.standard_error);
+  run.outcome = outcome_of(run.process, output.path() / "picture.png");
+  if (run.outcome == RenderOutcome::kRendered) {
+    if (picture.has_parent_path()) fs::create_directories(picture.parent_path());
+    fs::copy_file(output.path() / "picture.png", picture, fs::copy_options::overwrite_existing);
+    run.picture = picture;
+  }
+  return run;
+}
+
+std::string version_of(const std::string& program) {
+  const ScratchFolder output;
+  ProcessRequest request;
+  request.arguments = {program, "--version"};
+  request.standard_output = output.path() / "out";
+  request.standard_error = output.path() / "err";
+  request.time_limit = 20;
+  if (!run_process(request).started) return {};
+  std::istringstream lines(read_file(request.standard_output) + "\n" + read_file(request.standard_error));
+  for (std::string line; std::getline(lines, line);) {
+    const bool names_version = line.rfind("POV-Ray ", 0) == 0 || line.rfind("lute ", 0) == 0;
+    if (names_version && line.find_first_of("0123456789") != std::string::npos) return line;
+  }
+  return {};
+}
+
+}  // namespace lute::compare

@@ -1,0 +1,119 @@
+#include "compare/scene_comparison.hpp"
+
+#include <array>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+
+namespace lute::compare {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<std::pair<SceneState, const char*>, 9> kStateNames = {{
+    {SceneState::kMatch, "match"},
+    {SceneState::kBothReject, "both-reject"},
+    {SceneState::kDiffers, "differs"},
+    {SceneState::kUnsupported, "unsupported"},
+    {SceneState::kLuteError, "lute-error"},
+    {SceneState::kTimeout, "timeout"},
+    {SceneState::kLuteCrash, "lute-crash"},
+    {SceneState::kReferenceRejects, "reference-rejects"},
+    {SceneState::kReferenceTimeout, "reference-timeout"},
+}};
+
+constexpr std::string_view kNotRenderedYet = "not rendered yet";
+
+// The first line of `messages` that holds one of the words; empty if none does.
+std::string first_line_with(const std::string& messages, std::initializer_list<std::string_view> words) {
+  for (const std::string_view word : words) {
+    std::istringstream lines(messages);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find(word) != std::string::npos) return line;
+    }
+  }
+  return {};
+}
+
+SceneState state_of(const SceneComparison& comparison) {
+  const RenderOutcome reference = comparison.reference.outcome;
+  const RenderOutcome lute = comparison.lute.outcome;
+  if (reference == RenderOutcome::kTimedOut) return SceneState::kReferenceTimeout;
+  if (lute == RenderOutcome::kTimedOut) return SceneState::kTimeout;
+  if (lute == RenderOutcome::kCrashed) return SceneState::kLuteCrash;
+  if (reference != RenderOutcome::kRendered) {
+    return lute == RenderOutcome::kRejected ? SceneState::kBothReject : SceneState::kReferenceRejects;
+  }
+  const bool unsupported = comparison.lute.messages.find(kNotRenderedYet) != std::string::npos;
+  if (lute != RenderOutcome::kRendered) return unsupported ? SceneState::kUnsupported : SceneState::kLuteError;
+  if (matches(*comparison.difference, comparison.noise)) return SceneState::kMatch;
+  return unsupported ? SceneState::kUnsupported : SceneState::kDiffers;
+}
+
+std::string reason_of(const SceneComparison& comparison) {
+  switch (comparison.state) {
+    case SceneState::kUnsupported:
+      return first_line_with(comparison.lute.messages, {kNotRenderedYet});
+    case SceneState::kLuteError:
+      return first_line_with(comparison.lute.messages, {"error", "rror"});
+    case SceneState::kLuteCrash:
+      return "ended by signal " + std::to_string(comparison.lute.process.signal);
+    case SceneState::kReferenceRejects:
+      return first_line_with(comparison.reference.messages, {"Error:", "error", "rror"});
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+const char* name_of(SceneState state) {
+  for (const auto& [value, name] : kStateNames) {
+    if (value == state) return name;
+  }
+  return "";
+}
+
+SceneState state_named(const std::string& wanted) {
+  for (const auto& [value, name] : kStateNames) {
+    if (wanted == name) return value;
+  }
+  throw std::runtime_error("unknown state of a scene: " + wanted);
+}
+
+bool is_good(SceneState state) { return state == SceneState::kMatch || state == SceneState::kBothReject; }
+
+std::optional<double> SceneComparison::cpu_ratio() const {
+  const bool both = reference.outcome == RenderOutcome::kRendered && lute.outcome == RenderOutcome::kRendered;
+  if (!both || reference.cpu <= 0 || lute.process.cpu <= 0) return {};
+  return lute.process.cpu / reference.cpu;
+}
+
+SceneComparison compare_scene(const SceneFile& scene, const ReferenceCache& cache, const ReferenceNoiseTable& noise,
+                              const ComparisonSettings& settings) {
+  SceneComparison comparison;
+  comparison.scene = scene;
+  comparison.noise = noise.find(scene.name);
+  comparison.reference = cache.get(scene.path, settings.reference, settings.measure_again);
+  if (comparison.reference.outcome == RenderOutcome::kTimedOut) {
+    comparison.state = SceneState::kReferenceTimeout;
+    return comparison;
+  }
+  const fs::path base = settings.output / scene.name;
+  comparison.lute = render(settings.lute_program, scene.path, base.string() + ".lute.png", settings.lute);
+  if (comparison.lute.outcome == RenderOutcome::kNotStarted) {
+    throw std::runtime_error("cannot run '" + settings.lute_program + "'");
+  }
+  if (!comparison.reference.picture.empty() && !comparison.lute.picture.empty()) {
+    const Picture expected = read_picture(comparison.reference.picture);
+    const Picture rendered = read_picture(comparison.lute.picture);
+    comparison.difference = difference(rendered, expected, kPixelTolerance255);
+    comparison.heat_map = base.string() + ".heat.png";
+    write_picture(heat_map(rendered, expected), comparison.heat_map);
+  }
+  comparison.state = state_of(comparison);
+  comparison.reason = reason_of(comparison);
+  return comparison;
+}
+
+}  // namespace lute::compare

@@ -1,0 +1,31 @@
+#include "compare/scene_files.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <stdexcept>
+
+namespace lute::compare {
+namespace fs = std::filesystem;
+
+std::vector<SceneFile> find_scenes(const std::vector<std::string>& arguments, const std::string& filter) {
+  std::vector<SceneFile> scenes;
+  for (const std::string& argument : arguments) {
+    if (!fs::exists(argument)) throw std::runtime_error("no such scene or folder: " + argument);
+    if (!fs::is_directory(argument)) {
+      scenes.push_back({argument, fs::path(argument).filename().string()});
+      continue;
+    }
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(argument)) {
+      if (!entry.is_regular_file() || entry.path().extension() != ".pov") continue;
+      scenes.push_back({entry.path(), entry.path().lexically_relative(argument).string()});
+    }
+  }
+  if (!filter.empty()) {
+    const std::regex wanted(filter);
+    std::erase_if(scenes, [&](const SceneFile& scene) { return !std::regex_search(scene.name, wanted); });
+  }
+  std::sort(scenes.begin(), scenes.end(), [](const SceneFile& a, const SceneFile& b) { return a.name < b.name; });
+  return scenes;
+}
+
+}  // namespace lute::compare

@@ -26,6 +26,7 @@
 #include "engine/shape/sphere.hpp"
 #include "engine/shape/sphere_sweep.hpp"
 #include "engine/shape/superellipsoid.hpp"
+#include "engine/shape/text.hpp"
 #include "engine/shape/torus.hpp"
 #include "engine/shape/triangle.hpp"
 
@@ -55,6 +56,7 @@ using AnyShape = std::variant<  //
     Sphere,                     //
     SphereSweep,                //
     Superellipsoid,             //
+    Text,                       //
     Torus,                      //
     Triangle>;
 

@@ -1,154 +1,98 @@
 #include "engine/accel/bvh.hpp"
 
-#include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <limits>
 
-namespace lute {
+#include "engine/accel/bvh_builder.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/accel/bvh.cpp"
+#include <hwy/foreach_target.h>
+
+#include "engine/accel/bvh_traversal-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace lute::HWY_NAMESPACE {
 namespace {
 
-constexpr int kBins = 16;
-constexpr int kMaxDepth = 60;  // beyond it ranges are halved by count, so the traversal's stack is never exceeded
+using LeafFunction = bool (*)(void*, std::uint32_t, std::uint32_t, double&);
 
-float rounded_down(double v) {
-  const float f = static_cast<float>(v);
-  return static_cast<double>(f) <= v ? f : std::nextafter(f, -std::numeric_limits<float>::infinity());
-}
-float rounded_up(double v) {
-  const float f = static_cast<float>(v);
-  return static_cast<double>(f) >= v ? f : std::nextafter(f, std::numeric_limits<float>::infinity());
+void visit_leaves(const Bvh& bvh, const Ray& ray, Interval range, std::uint64_t& box_tests, void* context,
+                  LeafFunction visit) {
+  double far_depth = range.hi;
+  traverse<true>(bvh, ray, depth_below(range.lo), depth_above(range.hi), box_tests,
+                 [&](std::uint32_t first, std::uint32_t count, float& far) {
+                   const bool stop = visit(context, first, count, far_depth);
+                   far = depth_above(far_depth);
+                   return stop;
+                 });
 }
 
 }  // namespace
+}  // namespace lute::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
-class BvhBuilder {
- public:
-  BvhBuilder(Bvh& bvh, std::span<const Aabb> boxes, std::uint32_t leaf_size) : bvh_(bvh), boxes_(boxes), leaf_size_(leaf_size) {}
+#if HWY_ONCE
+namespace lute {
+namespace {
 
-  void build() {
-    auto& order = bvh_.order_;
-    for (std::uint32_t i = 0; i < boxes_.size(); ++i)
-      if (!boxes_[i].empty()) order.push_back(i);
-    if (order.empty()) return;
-    bvh_.nodes_.reserve(order.size() / 2 + 1);
-    node({0, static_cast<std::uint32_t>(order.size())}, 0);
+HWY_EXPORT(visit_leaves);
+
+// The difference of two doubles is rounded too; the margin covers that before it is rounded to single precision.
+float rounded_down(double v) {
+  v -= std::abs(v) * 0x1p-51;
+  const auto f = static_cast<float>(v);
+  return static_cast<double>(f) <= v ? f : std::nextafter(f, -std::numeric_limits<float>::infinity());
+}
+float rounded_up(double v) { return -rounded_down(-v); }
+
+}  // namespace
+
+Bvh::Bvh(std::span<const Aabb> boxes, BvhLeaves leaves) {
+  Aabb all;
+  for (const Aabb& box : boxes)
+    if (!box.empty()) all.join(box);
+  if (all.empty()) return;
+  origin_ = all.center();
+  std::vector<Item> items;
+  items.reserve(boxes.size());
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    if (boxes[i].empty()) continue;
+    Item& item = items.emplace_back();
+    item.index = i;
+    for (int a = 0; a < 3; ++a) {
+      item.lo[a] = rounded_down(boxes[i].lo[a] - origin_[a]);
+      item.hi[a] = rounded_up(boxes[i].hi[a] - origin_[a]);
+    }
   }
+  const dvec3 origin = origin_;
+  *this = Bvh(std::move(items), leaves);
+  origin_ = origin;
+}
 
- private:
-  struct Range {
-    std::uint32_t begin, end;
-    std::uint32_t size() const { return end - begin; }
-  };
+Bvh::Bvh(std::vector<Item> items, BvhLeaves leaves) : nodes_(build_bvh_nodes(items, leaves)) {
+  order_.reserve(items.size());
+  for (const Item& item : items) order_.push_back(item.index);
+}
 
-  Aabb box_of(Range r) const {
-    Aabb box;
-    for (std::uint32_t i = r.begin; i < r.end; ++i) box.join(boxes_[bvh_.order_[i]]);
-    return box;
+Aabb Bvh::bounds() const {
+  Aabb result;
+  if (empty()) return result;
+  for (std::size_t c = 0; c < kWidth; ++c) {
+    const Node& root = nodes_.front();
+    if (root.lo[0][c] > root.hi[0][c]) continue;
+    for (int a = 0; a < 3; ++a) {
+      result.lo[a] = std::min(result.lo[a], static_cast<double>(root.lo[a][c]) + origin_[a]);
+      result.hi[a] = std::max(result.hi[a], static_cast<double>(root.hi[a][c]) + origin_[a]);
+    }
   }
+  return result;
+}
 
-  // Emits a node over `range` and returns its index.
-  std::int32_t node(Range range, int depth) {
-    const auto index = bvh_.nodes_.size();
-    bvh_.nodes_.emplace_back();
-    // Split the largest part until there are four.
-    std::array<Range, 4> parts{range};
-    int count = 1;
-    while (count < 4) {
-      int largest = -1;
-      double area = -1;
-      for (int i = 0; i < count; ++i)
-        if (const double a = box_of(parts[static_cast<std::size_t>(i)]).half_area();
-            parts[static_cast<std::size_t>(i)].size() > leaf_size_ && a > area) {
-          area = a;
-          largest = i;
-        }
-      if (largest < 0) break;
-      Range& part = parts[static_cast<std::size_t>(largest)];
-      const std::uint32_t middle = split(part, depth);
-      parts[static_cast<std::size_t>(count++)] = {middle, part.end};
-      part.end = middle;
-    }
-    for (std::size_t c = 0; c < 4; ++c) {
-      const bool used = static_cast<int>(c) < count;
-      const Aabb box = used ? box_of(parts[c]) : Aabb{};
-      for (int a = 0; a < 3; ++a) {
-        bvh_.nodes_[index].lo[a][c] = used ? rounded_down(box.lo[a]) : std::numeric_limits<float>::infinity();
-        bvh_.nodes_[index].hi[a][c] = used ? rounded_up(box.hi[a]) : -std::numeric_limits<float>::infinity();
-      }
-      if (!used) continue;
-      if (parts[c].size() <= leaf_size_) {
-        bvh_.nodes_[index].child[c] = ~static_cast<std::int32_t>(parts[c].begin);
-        bvh_.nodes_[index].count[c] = parts[c].size();
-      } else {
-        const std::int32_t child = node(parts[c], depth + 1);  // may move the nodes
-        bvh_.nodes_[index].child[c] = child;
-      }
-    }
-    return static_cast<std::int32_t>(index);
-  }
-
-  // Reorders the range and returns where its second half begins.
-  std::uint32_t split(Range range, int depth) {
-    auto& order = bvh_.order_;
-    const auto first = order.begin() + range.begin, last = order.begin() + range.end;
-    Aabb centers;
-    for (auto i = first; i != last; ++i) centers.join(boxes_[*i].center());
-    const dvec3 size = centers.hi - centers.lo;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const auto halve = [&] {
-      const auto middle = first + (last - first) / 2;
-      std::nth_element(first, middle, last, [&](std::uint32_t a, std::uint32_t b) {
-        const double ca = boxes_[a].center()[axis], cb = boxes_[b].center()[axis];
-        return ca < cb || (ca == cb && a < b);
-      });
-      return static_cast<std::uint32_t>(middle - order.begin());
-    };
-    if (depth >= kMaxDepth / 4 || !(size[axis] > 0)) return halve();
-
-    struct Bin {
-      Aabb box;
-      std::uint32_t count = 0;
-    };
-    std::array<Bin, kBins> bins{};
-    const double scale = kBins / size[axis];
-    const auto bin_of = [&](std::uint32_t item) {
-      return static_cast<std::size_t>(std::clamp((boxes_[item].center()[axis] - centers.lo[axis]) * scale, 0.0, kBins - 1.0));
-    };
-    for (auto i = first; i != last; ++i) {
-      Bin& bin = bins[bin_of(*i)];
-      bin.box.join(boxes_[*i]);
-      ++bin.count;
-    }
-    std::array<double, kBins> left_cost{};
-    Aabb box;
-    std::uint32_t count = 0;
-    for (std::size_t b = 0; b + 1 < kBins; ++b) {
-      box.join(bins[b].box);
-      count += bins[b].count;
-      left_cost[b] = box.half_area() * count;
-    }
-    box = Aabb{};
-    count = 0;
-    double best = std::numeric_limits<double>::infinity();
-    std::size_t best_bin = 0;
-    for (std::size_t b = kBins - 1; b > 0; --b) {
-      box.join(bins[b].box);
-      count += bins[b].count;
-      const double cost = left_cost[b - 1] + box.half_area() * count;
-      if (count > 0 && count < range.size() && cost < best) {
-        best = cost;
-        best_bin = b;
-      }
-    }
-    if (best_bin == 0) return halve();
-    const auto middle = std::partition(first, last, [&](std::uint32_t item) { return bin_of(item) < best_bin; });
-    return static_cast<std::uint32_t>(middle - order.begin());
-  }
-
-  Bvh& bvh_;
-  std::span<const Aabb> boxes_;
-  std::uint32_t leaf_size_;
-};
-
-Bvh::Bvh(std::span<const Aabb> boxes, std::uint32_t leaf_size) { BvhBuilder(*this, boxes, leaf_size).build(); }
+void Bvh::visit_leaves(const Ray& ray, Interval range, std::uint64_t& box_tests, void* context,
+                       LeafFunction visit) const {
+  HWY_DYNAMIC_DISPATCH(visit_leaves)(*this, ray, range, box_tests, context, visit);
+}
 
 }  // namespace lute
+#endif

@@ -13,7 +13,7 @@ SceneTree::SceneTree(std::span<const Solid* const> solids) {
       unbounded_.push_back(solid);
     }
   }
-  bvh_ = Bvh(boxes, 2);
+  bvh_ = Bvh(boxes);
   for (const std::uint32_t i : bvh_.order()) {
     bounded_.push_back(finite[i]);
     scene_index_.push_back(i);

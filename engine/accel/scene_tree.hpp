@@ -1,5 +1,6 @@
-// All solids of a scene, ready for rays. Unbounded solids stand in a list of their own and are asked first; the others are in a Bvh.
-// Of hits at exactly equal depth the unbounded solid wins, then the one declared first (specification chapter 20 §2.3).
+// All solids of a scene, ready for rays. Unbounded solids stand in a list of their own and are asked first; the others
+// are in a Bvh. Of hits at exactly equal depth the unbounded solid wins, then the one declared first (specification
+// chapter 20 §2.3).
 #pragma once
 
 #include <span>

@@ -1,0 +1,141 @@
+// The traversal of a Bvh, compiled for each instruction set: include it inside a file that includes
+// <hwy/foreach_target.h>.
+//
+// Why no hit is lost (Ize, "Robust BVH ray traversal", 2013): the boxes are rounded outward; the ray's origin is
+// rounded to single precision upward for one plane of a slab and downward for the other, whichever makes the slab
+// wider, with a little more for directions that are (nearly) parallel to the slab; the remaining errors are three
+// roundings relative to the depth, and the exit depth is widened by more than those. Depths of zero times infinity do
+// not occur: reciprocals are kept finite and not zero.
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "engine/accel/bvh.hpp"
+
+#if defined(LUTE_ACCEL_BVH_TRAVERSAL_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LUTE_ACCEL_BVH_TRAVERSAL_INL
+#undef LUTE_ACCEL_BVH_TRAVERSAL_INL
+#else
+#define LUTE_ACCEL_BVH_TRAVERSAL_INL
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace lute::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// A single-precision bound just above a depth; the margin covers the rounding of the entry depths that it is compared
+// with.
+HWY_INLINE float depth_above(double t) {
+  constexpr double kMax = std::numeric_limits<float>::max();
+  return t < 1e30 ? static_cast<float>(t * (1 + 1e-6) + 1e-37) : static_cast<float>(t > kMax ? kMax : t);
+}
+HWY_INLINE float depth_below(double t) { return t > 0 ? static_cast<float>(std::min(t * (1 - 1e-6), 1e37)) : 0.0f; }
+
+// The ray as the slab test wants it.
+struct SlabRay {
+  float near_origin[3], far_origin[3], near_reciprocal[3], far_reciprocal[3];
+  std::size_t near_plane[3], far_plane[3];  // offsets into a node, in floats
+
+  SlabRay(const Ray& ray, const dvec3& tree_origin) {
+    constexpr double kLargest = 1e37;
+    for (int a = 0; a < 3; ++a) {
+      const double o = std::clamp(ray.origin[a] - tree_origin[a], -kLargest, kLargest);
+      const double margin = std::max(std::abs(o) * 0x1p-23, 1e-26);
+      const auto above = static_cast<float>(o + margin), below = static_cast<float>(o - margin);
+      const double d = ray.direction[a];
+      const bool backward = std::signbit(d);
+      const double r = std::abs(d) > 1 / kLargest ? 1 / d : std::copysign(kLargest, d);
+      near_origin[a] = backward ? below : above;
+      far_origin[a] = backward ? above : below;
+      near_reciprocal[a] = static_cast<float>(r);
+      far_reciprocal[a] = static_cast<float>(r * (1 + 1e-6));
+      const auto axis = static_cast<std::size_t>(a) * Bvh::kWidth;
+      near_plane[a] = backward ? 3 * Bvh::kWidth + axis : axis;
+      far_plane[a] = backward ? axis : 3 * Bvh::kWidth + axis;
+    }
+  }
+};
+
+// Tests the eight boxes of a node; returns a bit for each one that the ray meets in [lo, hi], and its entry depth.
+HWY_INLINE std::uint32_t meets(const Bvh::Node& node, const SlabRay& ray, float lo, float hi,
+                               float* HWY_RESTRICT entries) {
+  const hn::CappedTag<float, Bvh::kWidth> d;
+  const float* planes = &node.lo[0][0];  // lo, then hi
+  std::uint32_t mask = 0;
+  for (std::size_t c = 0; c < Bvh::kWidth; c += hn::Lanes(d)) {
+    const auto entry_of = [&](std::size_t a) HWY_ATTR {
+      return hn::Mul(hn::Sub(hn::Load(d, planes + ray.near_plane[a] + c), hn::Set(d, ray.near_origin[a])),
+                     hn::Set(d, ray.near_reciprocal[a]));
+    };
+    const auto exit_of = [&](std::size_t a) HWY_ATTR {
+      return hn::Mul(hn::Sub(hn::Load(d, planes + ray.far_plane[a] + c), hn::Set(d, ray.far_origin[a])),
+                     hn::Set(d, ray.far_reciprocal[a]));
+    };
+    const auto entry = hn::Max(hn::Max(entry_of(0), entry_of(1)), hn::Max(entry_of(2), hn::Set(d, lo)));
+    const auto exit = hn::Min(hn::Min(exit_of(0), exit_of(1)), hn::Min(exit_of(2), hn::Set(d, hi)));
+    hn::Store(entry, d, entries + c);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Le(entry, exit), bits);
+    mask |= static_cast<std::uint32_t>(bits[0]) << c;
+  }
+  return mask;
+}
+
+// Calls `leaf(first, count, far)` for leaves near to far until it returns true; it may lower `far`, by depth_above().
+// With `ordered` false children come in no particular order: for any-hit queries.
+template <bool ordered, class Leaf>
+HWY_INLINE void traverse(const Bvh& bvh, const Ray& ray, float near, float far, std::uint64_t& box_tests, Leaf&& leaf) {
+  // An undefined ray meets nothing. (It would meet even the empty children: comparisons with NaN are not what they
+  // seem.)
+  const dvec3 defined = 0.0 * ray.origin + 0.0 * ray.direction;
+  if (bvh.empty() || !(defined.x + defined.y + defined.z == 0)) return;
+  const SlabRay slab(ray, bvh.origin());
+  const Bvh::Node* const nodes = bvh.nodes().data();
+  struct Pending {
+    float distance;
+    std::int32_t child;
+    std::uint32_t count;
+  };
+  Pending stack[Bvh::kMaxDepth * (Bvh::kWidth - 1) + 1];
+  Pending* top = stack;
+  std::uint64_t visited = 0;
+  Pending next{near, 0, 0};
+  for (;;) {
+    if (next.child < 0) {
+      if (leaf(static_cast<std::uint32_t>(~next.child), next.count, far)) break;
+    } else {
+      const Bvh::Node& node = nodes[next.child];
+      ++visited;
+      alignas(64) float entries[Bvh::kWidth];
+      std::uint32_t mask = meets(node, slab, near, far, entries);
+      Pending* const base = top;
+      while (mask != 0) {
+        const auto c = static_cast<std::size_t>(std::countr_zero(mask));
+        mask &= mask - 1;
+        Pending* at = top++;
+        // Farther ones below nearer ones: the nearest is popped first.
+        if constexpr (ordered)
+          for (; at > base && at[-1].distance < entries[c]; --at) *at = at[-1];
+        *at = {entries[c], node.child[c], node.count[c]};
+      }
+    }
+    do {
+      if (top == stack) {
+        box_tests += visited;
+        return;
+      }
+      next = *--top;
+    } while (!(next.distance <= far));
+  }
+  box_tests += visited;
+}
+
+}  // namespace lute::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -33,6 +33,7 @@ struct RenderPlan {
   bool fog = false;
   bool rainbow = false;
   bool light_groups = false;
+  bool uv_patterns = false;       // some texture asks for surface coordinates
   bool volume_effects = false;    // fog, rainbow or media: rays have to know whether they are hollow
 
   std::vector<PlanItem> items;

@@ -18,6 +18,9 @@ class CompiledNormal {
   // The perturbed normal, unit, in the space of `point`. It is not turned toward the ray.
   dvec3 perturb(const dvec3& normal, const dvec3& point, const SurfaceContext& surface) const;
 
+  // False: no_bump_scale, here or on the texture.
+  bool bump_scale() const { return bump_scale_; }
+
  private:
   struct NormalEntry {
     float position;

@@ -1,0 +1,179 @@
+#include "engine/plan/render_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/plan/scene_survey.hpp"
+
+namespace lute {
+namespace {
+
+// Collects the items; each answers whether it is needed and why.
+class PlanWriter {
+ public:
+  PlanWriter(RenderPlan& plan, int quality) : plan_(plan), quality_(quality) {}
+
+  void group(std::string name) { group_ = std::move(name); }
+
+  // Needed if `seen`, and the quality is at least `from_quality`.
+  bool item(const std::string& name, const Seen& seen, const std::string& because, const std::string& otherwise, int from_quality = 0) {
+    if (!seen) return add(name, false, "left out: " + otherwise, {});
+    if (quality_ < from_quality)
+      return add(name, false, "left out: quality " + std::to_string(quality_) + " is below " + std::to_string(from_quality), seen.where);
+    return add(name, true, "needed because " + because + times(seen.count), seen.where);
+  }
+
+  bool add(const std::string& name, bool needed, std::string reason, SourceLocation where) {
+    plan_.items.push_back({group_, name, needed, std::move(reason), where});
+    return needed;
+  }
+
+ private:
+  static std::string times(long count) { return count > 1 ? " (" + std::to_string(count) + " times)" : ""; }
+
+  RenderPlan& plan_;
+  int quality_;
+  std::string group_;
+};
+
+Seen seen_at(bool there, SourceLocation where) { return {where, there ? 1 : 0}; }
+
+Seen either(const Seen& a, const Seen& b) {
+  Seen both = a ? a : b;
+  both.count = a.count + b.count;
+  return both;
+}
+
+void plan_rays(const SceneSurvey& s, PlanWriter& out, RenderPlan& plan) {
+  out.group("rays");
+  out.add("camera", true, "needed because every picture has a camera", {});
+  plan.shadows = out.item("shadow", s.shadow_light, "a light casts shadows", "no light casts shadows", 4);
+  plan.filtered_shadows = plan.shadows && static_cast<bool>(s.non_opaque);
+  if (plan.shadows)
+    out.item("shadow with colours", s.non_opaque, "a shadow may fall through a surface",
+             "every surface is opaque, one query for any blocker is enough");
+  plan.transmission = out.item("transmitted", s.translucent, "a surface lets light through", "every surface is opaque", 6);
+  if (plan.transmission) {
+    out.item("refracted", s.refracting, "an interior has an index of refraction", "every index of refraction is 1", 6);
+    out.item("dispersed", s.dispersing, "an interior disperses", "no interior disperses", 6);
+  }
+  plan.reflection = out.item("reflected", either(s.reflecting, s.conserve_energy), "a finish reflects", "no finish reflects", 8);
+}
+
+void plan_shading(const SceneSurvey& s, PlanWriter& out, RenderPlan& plan) {
+  out.group("shading");
+  plan.normals = out.item("normal patterns", s.normal_pattern, "a texture has a normal pattern", "no normal pattern", 8);
+  const bool phong = out.item("phong", s.phong, "a finish has phong", "no finish has phong", 2);
+  const bool specular = out.item("specular", s.specular, "a finish has specular", "no finish has specular", 2);
+  plan.highlights = phong || specular;
+  plan.iridescence = out.item("iridescence", s.iridescent, "a finish has irid", "no finish has irid", 2);
+  out.item("crand", s.random_diffuse, "a finish has crand", "no finish has crand", 2);
+  out.item("fresnel", s.fresnel, "a reflection follows fresnel", "no reflection follows fresnel", 8);
+  out.item("layers", s.layered_texture, "a texture has layers", "every texture has one layer");
+  out.item("texture maps", s.patterned_texture, "a texture blends textures", "no texture blends textures");
+  plan.uv_patterns = out.item("surface coordinates", s.uv_pattern, "uv_mapping asks for them", "no uv_mapping");
+  out.item("distance fade", s.fading, "an interior fades light", "no interior fades light", 4);
+  out.item("faked caustics", s.caustics, "an interior has caustics", "no interior has caustics", 4);
+}
+
+void plan_lights(const SceneSurvey& s, PlanWriter& out, RenderPlan& plan) {
+  out.group("lights");
+  plan.lights = out.item("light sources", s.light, "the scene has lights", "the scene has no light", 2);
+  for (const auto& [name, seen] : s.light_kinds)
+    out.item(name, seen, "a light_source is one", "none", name == "area_light" || name == "area_illumination" ? 5 : 2);
+  plan.area_lights = std::ranges::any_of(plan.items, [](const PlanItem& i) { return i.needed && i.name.starts_with("area_"); });
+  plan.light_groups = out.item("light_group", s.group, "objects have lights of their own", "all lights light all objects", 2);
+  out.item("fade_distance", s.fading_light, "a light fades", "no light fades", 2);
+  out.item("projected_through", s.projecting, "a light shines through an object", "no light is projected", 4);
+}
+
+void plan_surroundings(const Scene& scene, const SceneSurvey& s, PlanWriter& out, RenderPlan& plan) {
+  out.group("surroundings");
+  out.item("background", seen_at(scene.background.has_value(), scene.background_where), "the scene has a background",
+           "the background is black");
+  plan.sky_sphere = out.item("sky_sphere", seen_at(scene.sky_sphere.has_value(), scene.sky_sphere ? scene.sky_sphere->where : SourceLocation{}),
+                             "the scene has a sky_sphere", "no sky_sphere");
+  Seen fog, rainbow;
+  for (const Fog& f : scene.fogs)
+    if (std::abs(f.distance) > kEpsilon) fog = either(fog, seen_at(true, f.where));
+  for (const Rainbow& r : scene.rainbows)
+    if (!r.colors.entries.empty() && r.width != 0 && r.distance != 0) rainbow = either(rainbow, seen_at(true, r.where));
+  plan.fog = out.item("fog", fog, "the scene has fog", "no fog", 9);
+  plan.rainbow = out.item("rainbow", rainbow, "the scene has a rainbow", "no rainbow", 9);
+  plan.volume_effects = plan.fog || plan.rainbow;
+  if (plan.volume_effects)
+    out.add("hollow interiors", true, "needed because fog and rainbow fill only what is hollow", s.hollow.where);
+}
+
+void plan_geometry(const SceneSurvey& s, PlanWriter& out) {
+  out.group("shapes");
+  for (const auto& [name, seen] : s.shapes) out.item(name, seen, "the scene has one", "none");
+  out.item("csg", s.csg, "objects are combined", "no objects are combined");
+  out.item("clips and bounds", s.clipped, "an object has clipped_by or bounded_by", "none");
+  out.group("patterns");
+  for (const auto& [name, seen] : s.patterns) out.item(name, seen, "a texture uses it", "none");
+}
+
+std::string place(const Scene& scene, SourceLocation where) {
+  if (where.line == 0) return {};
+  const std::string file = where.file < scene.files.size() ? scene.files[where.file] : "?";
+  return file + ":" + std::to_string(where.line);
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    if (static_cast<unsigned char>(c) < 0x20) {
+      constexpr std::array<char, 17> kHex{"0123456789abcdef"};
+      result += std::string("\\u00") + kHex[static_cast<std::size_t>(c >> 4)] + kHex[static_cast<std::size_t>(c & 15)];
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+}  // namespace
+
+RenderPlan make_plan(const Scene& scene, const BuildOptions& options) {
+  RenderPlan plan;
+  const SceneSurvey survey(scene);
+  PlanWriter out(plan, std::clamp(options.quality, 0, 9));
+  plan_rays(survey, out, plan);
+  plan_shading(survey, out, plan);
+  plan_lights(survey, out, plan);
+  plan_surroundings(scene, survey, out, plan);
+  plan_geometry(survey, out);
+  out.group("buffers");
+  out.add("alpha", options.output_alpha, options.output_alpha ? "needed because the output has alpha" : "left out: the output has no alpha",
+          {});
+  return plan;
+}
+
+std::string RenderPlan::text(const Scene& scene) const {
+  std::string result, group;
+  for (const PlanItem& item : items) {
+    if (item.group != group) result += (group = item.group) + ":\n";
+    const std::string where = place(scene, item.where);
+    result += "  " + item.name + std::string(item.name.size() < 22 ? 22 - item.name.size() : 1, ' ') + item.reason;
+    if (!where.empty()) result += " (" + where + ")";
+    result += "\n";
+  }
+  return result;
+}
+
+std::string RenderPlan::json(const Scene& scene) const {
+  std::string result = "[";
+  for (const PlanItem& item : items) {
+    const std::string file = item.where.line != 0 && item.where.file < scene.files.size() ? scene.files[item.where.file] : "";
+    result += result.size() > 1 ? ",\n " : "\n ";
+    result += "{\"group\": " + quoted(item.group) + ", \"name\": " + quoted(item.name) + ", \"needed\": " +
+              (item.needed ? "true" : "false") + ", \"reason\": " + quoted(item.reason) + ", \"file\": " + quoted(file) +
+              ", \"line\": " + std::to_string(item.where.line) + "}";
+  }
+  return result + "\n]\n";
+}
+
+}  // namespace lute

@@ -1,0 +1,124 @@
+// Light that falls on a layer straight from the light sources (§7).
+#include <cmath>
+
+#include "engine/light/area.hpp"
+#include "engine/shade/shader.hpp"
+
+namespace lute {
+namespace {
+
+constexpr int kQualityShadows = 4;
+
+bool takes_light(const Finish& f) { return f.diffuse != 0 || f.diffuse_back != 0 || f.phong != 0 || f.specular != 0; }
+
+}  // namespace
+
+// First the lights of the whole scene, then those of the object's group.
+std::size_t Shader::light_count(const Leaf& leaf) const {
+  std::size_t count = leaf.global_lights ? scene_.global_lights.size() : 0;
+  if (leaf.light_group >= 0) count += scene_.light_groups[static_cast<std::size_t>(leaf.light_group)].lights.size();
+  return count;
+}
+
+const BuiltLight& Shader::light(const Leaf& leaf, std::size_t index) const {
+  if (leaf.global_lights) {
+    if (index < scene_.global_lights.size()) return *scene_.global_lights[index];
+    index -= scene_.global_lights.size();
+  }
+  return *scene_.light_groups[static_cast<std::size_t>(leaf.light_group)].lights[index];
+}
+
+Rgb Shader::direct_light(Surface& surface, const LitLayer& layer) {
+  Rgb sum{0.0f};
+  if (!takes_light(layer.finish)) return sum;
+  const std::size_t count = surface.lights->size();
+  for (std::size_t i = 0; i < count; ++i) sum += light_from(surface, layer, i);
+  return sum;
+}
+
+Rgb Shader::light_from(Surface& surface, const LitLayer& layer, std::size_t index) {
+  const BuiltLight& source = light(surface.leaf, index);
+  const bool area_lit = source.area && source.area->illumination;
+  {
+    LightAtPoint& known = (*surface.lights)[index];
+    if (!known.reached) {
+      known.reached = true;
+      known.path = path_to(source, source.location, surface.hit.point);
+      const double factor = area_lit ? 1 : attenuation(source, surface.hit.point, known.path);
+      known.color = source.color * static_cast<float>(factor);
+    }
+    if (nearly_black(known.color)) return Rgb(0.0f);
+  }
+  const LightPath path = (*surface.lights)[index].path;
+  bool backside = false;
+  if (!surface.leaf.double_illuminate && !area_lit && glm::dot(layer.normal, path.direction) < kEpsilon) {
+    if (layer.finish.diffuse_back == 0) return Rgb(0.0f);
+    backside = true;
+  }
+  const Rgb color = after_shadows(surface, source, index);
+  if (nearly_black(color)) return Rgb(0.0f);
+
+  Rgb result = area_lit ? area_illumination(surface, layer, source, path.direction, color)
+                        : scattered(surface, layer, source, path.direction, color, backside);
+  if (layer.finish.irid > 0)
+    result *= iridescence(layer.finish, layer.point, std::abs(glm::dot(layer.normal, path.direction)),
+                          std::abs(glm::dot(layer.normal, surface.in.ray.direction)));
+  return result;
+}
+
+// The same for all layers and blended textures of the point.
+Rgb Shader::after_shadows(Surface& surface, const BuiltLight& source, std::size_t index) {
+  const LightAtPoint known = (*surface.lights)[index];
+  if (!plan_.shadows || settings_.quality < kQualityShadows) return known.color;
+  if (known.shadowed) return known.after_shadows;
+  Rgb color = known.color;
+  if (source.area && source.casts_shadows())
+    color = area_shadow(surface, source, known.path.direction, color);
+  else if (source.casts_shadows() || source.projected_through != nullptr)
+    color = shadowed(surface, source, known.path, color);
+  LightAtPoint& entry = (*surface.lights)[index];
+  entry.shadowed = true;
+  entry.after_shadows = color;
+  return color;
+}
+
+Rgb Shader::scattered(const Surface& surface, const LitLayer& layer, const BuiltLight& source, const dvec3& to_light, Rgb color,
+                      bool backside) {
+  const Finish& finish = layer.finish;
+  Rgb result{0.0f};
+  const float k = backside ? finish.diffuse_back : finish.diffuse;
+  if (k > 0) {
+    double intensity = std::abs(glm::dot(layer.normal, to_light));
+    if (finish.brilliance != 1) intensity = std::pow(intensity, static_cast<double>(finish.brilliance));
+    float i = static_cast<float>(intensity) * k * layer.opacity;
+    if (finish.crand > 0) i -= static_cast<float>(context_.random.next()) * finish.crand;
+    result += i * layer.pigment.rgb * color;
+  }
+  if (plan_.highlights && !backside && source.has_highlights() && !surface.in.kind.radiosity)
+    result += highlights(surface, layer, to_light, color);
+  return result;
+}
+
+// §10.4: every sample of the area lights the point by itself; shadows are those of the area as a whole.
+Rgb Shader::area_illumination(Surface& surface, const LitLayer& layer, const BuiltLight& source, const dvec3& to_center, Rgb color) {
+  const AreaAxes axes = area_axes(source, to_center);
+  Rgb sum{0.0f};
+  const AreaLight& area = *source.area;
+  for (int v = 0; v < area.size2; ++v) {
+    for (int u = 0; u < area.size1; ++u) {
+      const double du = area.jitter ? context_.random.next() - 0.5 : 0;
+      const double dv = area.jitter ? context_.random.next() - 0.5 : 0;
+      const LightPath path = path_to(source, source.location + area_offset(area, axes, u + du, v + dv), surface.hit.point);
+      bool backside = false;
+      if (!surface.leaf.double_illuminate && glm::dot(layer.normal, path.direction) < kEpsilon) {
+        if (layer.finish.diffuse_back == 0) continue;
+        backside = true;
+      }
+      const float factor = static_cast<float>(attenuation(source, surface.hit.point, path));
+      sum += scattered(surface, layer, source, path.direction, color * factor, backside);
+    }
+  }
+  return sum * (1 / static_cast<float>(area.size1 * area.size2));
+}
+
+}  // namespace lute

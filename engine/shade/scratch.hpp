@@ -1,0 +1,58 @@
+// Memory of one thread that shading uses again and again: stacks that grow to the need of the deepest ray and stay.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/csg/csg_solid.hpp"
+#include "engine/light/light.hpp"
+#include "engine/scene/finish.hpp"
+
+namespace lute {
+
+// What is known of one light at the point being shaded. Layers and blended textures share it.
+struct LightAtPoint {
+  bool reached = false;   // path and color are known
+  bool shadowed = false;  // so is what the shadows leave
+  LightPath path;
+  Rgb color;              // with the attenuations of angle and distance
+  Rgb after_shadows;
+};
+
+// A layer whose reflection is added once all layers are lit.
+struct ReflectingLayer {
+  Rgb amount;
+  float weight;
+  dvec3 normal;
+  dvec3 point;  // where its texture was evaluated
+  const Finish* finish;
+};
+
+struct TraceScratch {
+  std::vector<LightAtPoint> lights;
+  std::vector<ReflectingLayer> reflections;
+  std::vector<Rgb> area_samples;
+  std::vector<TextureWeight> weights;
+  CsgSolid::CutawayShares shares;
+  std::vector<const BuiltInterior*> interiors;
+};
+
+// A piece of a stack, given back when the scope ends. Address elements by index only: the stack may move.
+template <class T>
+class ScratchBlock {
+ public:
+  ScratchBlock(std::vector<T>& stack, std::size_t count) : stack_(stack), first_(stack.size()) { stack.resize(first_ + count); }
+  explicit ScratchBlock(std::vector<T>& stack) : ScratchBlock(stack, 0) {}
+  ~ScratchBlock() { stack_.resize(first_); }
+  ScratchBlock(const ScratchBlock&) = delete;
+  ScratchBlock& operator=(const ScratchBlock&) = delete;
+
+  T& operator[](std::size_t i) { return stack_[first_ + i]; }
+  std::size_t size() const { return stack_.size() - first_; }
+
+ private:
+  std::vector<T>& stack_;
+  std::size_t first_;
+};
+
+}  // namespace lute

@@ -1,0 +1,105 @@
+// From a hit to its textures (§4).
+#include "engine/shade/shader.hpp"
+#include "engine/texture/blend.hpp"
+
+namespace lute {
+namespace {
+
+// A normal taken through all enclosing spaces, the outermost first.
+dvec3 carry_in(const TextureSpace* space, dvec3 normal, bool normalise) {
+  if (space == nullptr) return normal;
+  normal = carry_in(space->outer, normal, normalise);
+  if (space->pattern != nullptr) return space->pattern->carry_in(normal, normalise);
+  const dvec3 carried = space->placement->normal(normal);
+  return normalise ? glm::normalize(carried) : carried;
+}
+
+dvec3 carry_out(const TextureSpace* space, dvec3 normal, bool normalise) {
+  for (; space != nullptr; space = space->outer) {
+    if (space->pattern != nullptr)
+      normal = space->pattern->carry_out(normal, normalise);
+    else
+      normal = glm::transpose(space->placement->linear) * normal;
+  }
+  return normal;
+}
+
+}  // namespace
+
+void Shader::face_ray(const Hit& hit, const Ray& ray, bool wants_uv, SurfaceContext& context, bool& from_inside) {
+  const Leaf& leaf = *hit.leaf;
+  dvec3 normal = leaf.shape->normal(hit.shape_hit, hit.point);
+  if (leaf.inverted) normal = -normal;
+  from_inside = glm::dot(normal, ray.direction) > 0;
+  if (from_inside) normal = -normal;
+  context.raw_normal = normal;
+  context.normal = normal;
+  context.ray_direction = ray.direction;
+  context.has_surface = true;
+  if (wants_uv) context.uv = leaf.shape->uv(hit.shape_hit, hit.point);
+}
+
+dvec3 Shader::texture_point(const PlacedTexture& texture, const Leaf& leaf, const Hit& hit, const SurfaceContext& context) {
+  const dvec3 point = leaf.uv_mapping ? dvec3(context.uv, 0) : hit.point;
+  return texture.placement.identity() ? point : texture.placement.point(point);
+}
+
+Color Shader::shade(const TracedRay& ray, const Hit& hit, float weight) {
+  const Leaf& leaf = *hit.leaf;
+  ScratchBlock<LightAtPoint> lights(scratch_.lights, light_count(leaf));
+  Surface surface{.in = ray, .hit = hit, .leaf = leaf, .weight = weight, .context = {}, .lights = &lights};
+  face_ray(hit, ray.ray, leaf.uv_mapping || plan_.uv_patterns, surface.context, surface.from_inside);
+
+  Color sum;
+  const bool weighted = !leaf.part_textures.empty() || leaf.texture.texture == nullptr;
+  for_each_texture(hit, leaf, surface.from_inside, [&](const PlacedTexture& texture, float share) {
+    if (weighted && share < settings_.adc_bailout) return;
+    const TextureSpace space{.placement = &texture.placement};
+    const dvec3 point = texture_point(texture, leaf, hit, surface.context);
+    const Color c = texture_color(surface, *texture.texture, point, texture.placement.identity() ? nullptr : &space);
+    if (weighted) {
+      sum.rgb += share * c.rgb;
+      sum.transmit += share * c.transmit;
+    } else {
+      sum = c;
+    }
+  });
+  return sum;
+}
+
+// §4.1.
+Color Shader::texture_color(Surface& surface, const CompiledTexture& texture, const dvec3& point, const TextureSpace* space) {
+  if (texture.pattern == nullptr) return layers_color(surface, texture, point, space);
+  if (texture.entries.empty()) return {};
+  const TextureSpace inner{.outer = space, .pattern = texture.pattern.get()};
+  if (texture.pattern->is_uv_mapping())
+    return texture_color(surface, *texture.entries.front().texture, dvec3(surface.context.uv, 0), &inner);
+
+  const dvec3 warped = texture.pattern->warp(point);
+  if (texture.pattern->is_average()) {
+    Color sum;
+    float total = 0;
+    for (const auto& entry : texture.entries) {
+      sum += texture_color(surface, *entry.texture, warped, &inner) * entry.position;
+      total += entry.position;
+    }
+    return sum * (1 / total);
+  }
+  const auto n = find_neighbours(std::span<const CompiledTexture::Entry>(texture.entries),
+                                 texture.pattern->value(warped, surface.context));
+  const Color current = texture_color(surface, *n.current->texture, warped, &inner);
+  if (n.single()) return current;
+  const Color previous = texture_color(surface, *n.previous->texture, warped, &inner);
+  return previous * static_cast<float>(1 - n.t) + current * static_cast<float>(n.t);
+}
+
+// The normal that a layer's pattern makes of the raw one. Patterns that ask for the surface's normal see it from then on.
+dvec3 Shader::perturbed(const CompiledNormal& normal, const dvec3& point, const TextureSpace* space, SurfaceContext& context) {
+  const bool normalise = normal.bump_scale();
+  const dvec3 carried = carry_in(space, context.raw_normal, normalise);
+  const dvec3 bumped = normal.perturb(carried, point, context);
+  context.normal = space == nullptr ? bumped : glm::normalize(carry_out(space, bumped, normalise));
+  return context.normal;
+}
+
+}  // namespace lute

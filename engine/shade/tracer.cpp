@@ -1,0 +1,28 @@
+#include "engine/shade/tracer.hpp"
+
+#include "engine/shade/shader.hpp"
+
+namespace lute {
+
+TraceContext::TraceContext() : scratch(std::make_unique<TraceScratch>()) {}
+TraceContext::~TraceContext() = default;
+TraceContext::TraceContext(TraceContext&&) noexcept = default;
+TraceContext& TraceContext::operator=(TraceContext&&) noexcept = default;
+
+Color Tracer::trace(const Ray& camera_ray, TraceContext& context) const {
+  TracedRay ray;
+  ray.ray = camera_ray;
+  ray.interiors = context.camera_interiors;
+  ++context.counters.camera_rays;
+  return Shader(scene_, plan_, context).trace(ray, 1);
+}
+
+InteriorList Tracer::interiors_at(const dvec3& point) const {
+  std::vector<const BuiltInterior*> found;
+  scene_.interiors_at(point, found);
+  InteriorList list;
+  for (const BuiltInterior* interior : found) list.append(interior);
+  return list;
+}
+
+}  // namespace lute

@@ -11,22 +11,27 @@ CsgSolid::CsgSolid(CsgKind kind, Children children, SharedSolids clips, SharedSo
       marks_(kind != CsgKind::kUnion || !clips.empty()),
       children_(std::move(children)),
       clips_(std::move(clips)),
-      bounds_(std::move(bounds)) {
+      bounds_(std::move(bounds)),
+      tree_(set_boxes()) {
   opaque = std::ranges::all_of(children_, [](const auto& child) { return child->opaque; });
-  child_boxes_.reserve(children_.size());
-  for (const auto& child : children_) child_boxes_.push_back(child->box);
-  set_boxes();
 }
 
-void CsgSolid::set_boxes() {
+ChildTree CsgSolid::set_boxes() {
+  std::vector<Aabb> ray_boxes, all_boxes;
   Aabb surface;  // of all children
-  for (const auto& child : children_) surface.join(child->box);
+  for (const auto& child : children_) {
+    surface.join(child->box);
+    ray_boxes.push_back(child->box);
+    all_boxes.push_back(child->box);
+    all_boxes.back().join(child->inside_box);
+  }
   if (all_children_needed() && !children_.empty()) {
     inside_box = Aabb::infinite();
     for (const auto& child : children_) inside_box = inside_box.intersection(child->inside_box);
     surface = surface.intersection(inside_box);
     // A hit lies on one child and inside all others, so no child needs to be tried outside this box.
-    for (Aabb& child_box : child_boxes_) child_box = child_box.intersection(inside_box);
+    for (Aabb& ray_box : ray_boxes) ray_box = ray_box.intersection(inside_box);
+    all_boxes = ray_boxes;  // its inside tests ask every child
   } else {
     inside_box = Aabb();
     for (const auto& child : children_) inside_box.join(child->inside_box);
@@ -34,6 +39,7 @@ void CsgSolid::set_boxes() {
   box = surface;
   box_cuts_ = limit_box(box, clips_, bounds_);
   for (const auto& clip : clips_) inside_box = inside_box.intersection(clip->inside_box);
+  return ChildTree(std::move(ray_boxes), all_boxes);
 }
 
 // The flags of the children of an intersection have no effect; those of a union and a merge partly (§6.1): a child's no_shadow
@@ -55,68 +61,87 @@ bool CsgSolid::meets_bounds(const Ray& ray) const {
 
 bool CsgSolid::survives(std::size_t child, const dvec3& point, RayKind kind) const {
   if (kind_ == CsgKind::kUnion) return true;
-  const bool needed = all_children_needed();
-  for (std::size_t i = 0; i < children_.size(); ++i) {
-    if (i == child) continue;
-    const Solid& other = *children_[i];
-    if (needed) {
-      if (!other.inside(point)) return false;
-    } else if (other.inside_box.contains(point) && child_visible(other, kind) && other.inside(point)) {
-      return false;
-    }
+  if (all_children_needed()) {
+    for (std::size_t i = 0; i < children_.size(); ++i)
+      if (i != child && !children_[i]->inside(point)) return false;
+    return true;
   }
-  return true;
+  bool hidden = false;
+  tree_.around(point, [&](std::uint32_t i) {
+    const Solid& other = *children_[i];
+    hidden = i != child && other.inside_box.contains(point) && child_visible(other, kind) && other.inside(point);
+    return hidden;
+  });
+  return !hidden;
 }
 
 void CsgSolid::hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const {
   if (!meets_bounds(ray)) return;
-  for (std::size_t i = 0; i < children_.size(); ++i) {
-    const Solid& child = *children_[i];
-    if (!child_visible(child, kind) || !meets_box(ray, range, child_boxes_[i])) continue;
+  const auto collect = [&](std::size_t i) {
     const auto first = static_cast<std::ptrdiff_t>(out.size());
-    child.hits(ray, range, kind, out);
+    children_[i]->hits(ray, range, kind, out);
     // Last in, first out: among equal depths of one child the order turns around at every level, as in the reference.
     std::reverse(out.begin() + first, out.end());
     const auto dead = [&](const Hit& hit) { return !survives(i, hit.point, kind) || !in_clips(hit.point); };
     out.erase(std::remove_if(out.begin() + first, out.end(), dead), out.end());
-    if (!marks_) continue;
+    if (!marks_) return;
     for (auto hit = out.begin() + first; hit != out.end(); ++hit) hit->cutaway = this;
-  }
+  };
+  // In the order of declaration, which decides ties; the tree finds them in another.
+  thread_local std::vector<std::uint32_t> found;
+  const std::size_t start = found.size();
+  tree_.along(ray, range, [&](std::uint32_t i, double&) {
+    if (child_visible(*children_[i], kind)) found.push_back(i);
+    return false;
+  });
+  const std::size_t end = found.size();
+  std::sort(found.begin() + static_cast<std::ptrdiff_t>(start), found.end());
+  for (std::size_t k = start; k < end; ++k) collect(found[k]);  // by index: combinations within use the list's tail
+  found.resize(start);
 }
 
 bool CsgSolid::nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) const {
-  if (kind_ != CsgKind::kUnion || !clips_.empty()) {
-    // Child by child, so that a near hit spares the inside tests of those behind it.
-    if (!meets_bounds(ray)) return false;
-    thread_local Hits found;
-    const std::size_t first = found.size();
-    bool any_found = false;
-    for (std::size_t i = 0; i < children_.size(); ++i) {
-      const Solid& child = *children_[i];
-      if (!child_visible(child, kind) || !meets_box(ray, range, child_boxes_[i])) continue;
-      child.hits(ray, range, kind, found);
-      for (std::size_t k = found.size(); k > first; --k) {
-        const Hit candidate = found[k - 1];
-        if (candidate.t > range.hi || !survives(i, candidate.point, kind) || !in_clips(candidate.point)) continue;
-        hit = candidate;
-        range.hi = hit.t;
-        any_found = true;
-      }
-      found.resize(first);
+  if (kind_ == CsgKind::kUnion && clips_.empty()) return nearest_in_union(ray, range, kind, hit);
+  // Child by child, so that a near hit spares the inside tests of those behind it.
+  if (!meets_bounds(ray)) return false;
+  thread_local Hits found;
+  const std::size_t first = found.size();
+  bool any_found = false;
+  std::uint32_t best = 0;
+  tree_.along(ray, range, [&](std::uint32_t i, double& far) {
+    const Solid& child = *children_[i];
+    if (!child_visible(child, kind)) return false;
+    child.hits(ray, {range.lo, far}, kind, found);
+    for (std::size_t k = found.size(); k > first; --k) {
+      const Hit candidate = found[k - 1];
+      if (candidate.t > far || (any_found && candidate.t == far && i < best)) continue;  // of equals the last child wins
+      if (!survives(i, candidate.point, kind) || !in_clips(candidate.point)) continue;
+      hit = candidate;
+      far = hit.t;
+      best = i;
+      any_found = true;
     }
-    if (any_found && marks_) hit.cutaway = this;
-    return any_found;
-  }
+    found.resize(first);
+    return false;
+  });
+  if (any_found && marks_) hit.cutaway = this;
+  return any_found;
+}
+
+bool CsgSolid::nearest_in_union(const Ray& ray, Interval range, RayKind kind, Hit& hit) const {
   if (!meets_bounds(ray)) return false;
   bool any_found = false;
-  for (std::size_t i = 0; i < children_.size(); ++i) {
-    if (!child_visible(*children_[i], kind) || !meets_box(ray, range, child_boxes_[i])) continue;
+  std::uint32_t best = 0;
+  tree_.along(ray, range, [&](std::uint32_t i, double& far) {
     Hit candidate;
-    if (!children_[i]->nearest(ray, range, kind, candidate)) continue;
-    hit = candidate;  // of equal depths the last child wins
-    range.hi = hit.t;
+    if (!child_visible(*children_[i], kind) || !children_[i]->nearest(ray, {range.lo, far}, kind, candidate)) return false;
+    if (any_found && candidate.t == far && i < best) return false;
+    hit = candidate;
+    far = hit.t;
+    best = i;
     any_found = true;
-  }
+    return false;
+  });
   return any_found;
 }
 
@@ -126,11 +151,12 @@ bool CsgSolid::any(const Ray& ray, Interval range, RayKind kind) const {
     return nearest(ray, range, kind, hit);
   }
   if (!meets_bounds(ray)) return false;
-  for (std::size_t i = 0; i < children_.size(); ++i) {
-    if (!child_visible(*children_[i], kind) || !meets_box(ray, range, child_boxes_[i])) continue;
-    if (children_[i]->any(ray, range, kind)) return true;
-  }
-  return false;
+  bool found = false;
+  tree_.along(ray, range, [&](std::uint32_t i, double&) {
+    found = child_visible(*children_[i], kind) && children_[i]->any(ray, range, kind);
+    return found;
+  });
+  return found;
 }
 
 bool CsgSolid::inside(const dvec3& point) const {
@@ -139,8 +165,13 @@ bool CsgSolid::inside(const dvec3& point) const {
 
 bool CsgSolid::plain_inside(const dvec3& point) const {
   if (children_.empty()) return false;
-  const auto in_child = [&](const auto& child) { return child->inside(point); };
-  return all_children_needed() ? std::ranges::all_of(children_, in_child) : std::ranges::any_of(children_, in_child);
+  if (all_children_needed()) return std::ranges::all_of(children_, [&](const auto& child) { return child->inside(point); });
+  bool found = false;
+  tree_.around(point, [&](std::uint32_t i) {
+    found = children_[i]->inside(point);
+    return found;
+  });
+  return found;
 }
 
 void CsgSolid::leaves(std::vector<const Leaf*>& out) const {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/csg/child_tree.hpp"
 #include "engine/csg/leaf_solid.hpp"
 #include "engine/csg/solid.hpp"
 
@@ -50,14 +51,15 @@ class CsgSolid final : public Solid {
   bool survives(std::size_t child, const dvec3& point, RayKind kind) const;
   bool in_clips(const dvec3& point) const;
   bool meets_bounds(const Ray& ray) const;
-  void set_boxes();
+  ChildTree set_boxes();
+  bool nearest_in_union(const Ray& ray, Interval range, RayKind kind, Hit& hit) const;
 
   CsgKind kind_;
   bool marks_;             // its mark overwrites that of inner combinations
   bool box_cuts_ = false;  // `box` came from the bounds and may be smaller than the content
   Children children_;
   SharedSolids clips_, bounds_;
-  std::vector<Aabb> child_boxes_;
+  ChildTree tree_;
 };
 
 }  // namespace lute

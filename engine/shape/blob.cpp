@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/accel/bvh.hpp"
 #include "engine/math/polynomial.hpp"
 #include "engine/shape/axis_frame.hpp"
 #include "engine/shape/scanned_shape.hpp"
@@ -97,6 +98,11 @@ class BlobSurface final : public ScannedShape<BlobSurface> {
  public:
   BlobSurface(const Blob& blob, const Transform& to_world) : threshold_(blob.threshold), mixes_(blob.mixes_textures()) {
     for (std::uint32_t i = 0; i < blob.components.size(); ++i) add_component(blob.components[i], i, to_world);
+    constexpr std::size_t kFewest = 12;  // below, a tree costs more than it saves
+    if (elements_.size() < kFewest) return;
+    std::vector<Aabb> boxes;
+    for (const Element& element : elements_) boxes.push_back(element_box(element));
+    tree_ = Bvh(boxes);
   }
 
   template <class Sink>
@@ -106,13 +112,13 @@ class BlobSurface final : public ScannedShape<BlobSurface> {
     thread_local std::vector<double> ends;
     stretches.clear();
     ends.clear();
-    for (const Element& element : elements_) {
+    for_elements_near(ray, range, [&](const Element& element) {
       Stretch stretch;
-      if (!cross_element(element, ray, range, stretch)) continue;
+      if (!cross_element(element, ray, range, stretch)) return;
       stretches.push_back(stretch);
       ends.push_back(stretch.begin);
       ends.push_back(stretch.end);
-    }
+    });
     if (stretches.empty()) return;
     std::sort(ends.begin(), ends.end());
     std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) { return a.begin < b.begin; });
@@ -137,27 +143,22 @@ class BlobSurface final : public ScannedShape<BlobSurface> {
 
   Aabb bounds() const override {
     Aabb box;
-    for (const Element& e : elements_) {
-      if (!(e.strength > 0) || e.piece == Piece::kSide) continue;  // the balls at its ends bound a cylinder
-      dvec3 reach;
-      for (int axis = 0; axis < 3; ++axis)
-        reach[axis] = glm::length(dvec3(e.to_world.linear[0][axis], e.to_world.linear[1][axis], e.to_world.linear[2][axis]));
-      box.join({e.to_world.translation - reach, e.to_world.translation + reach});
-    }
+    for (const Element& e : elements_)
+      if (e.strength > 0) box.join(element_box(e));
     return box;
   }
   bool inside(const dvec3& point) const override {
     double density = 0;
-    for (const Element& e : elements_) density += density_at(e, point);
+    for_elements_at(point, [&](const Element& e) { density += density_at(e, point); });
     return density > threshold_ - kInsideTolerance;
   }
   dvec3 normal(const ShapeHit&, const dvec3& point) const override {
     dvec3 sum(0);
-    for (const Element& e : elements_) {
+    for_elements_at(point, [&](const Element& e) {
       const dvec3 local = e.to_world.inverse_point(point);
       const double closeness = e.closeness(local);
       if (closeness > 0) sum += 2 * e.strength * closeness * e.to_world.normal(e.radial(local));
-    }
+    });
     const double length = glm::length(sum);
     return length > 0 ? sum / length : dvec3(1, 0, 0);
   }
@@ -165,20 +166,55 @@ class BlobSurface final : public ScannedShape<BlobSurface> {
     if (!mixes_) return Shape::textures(hit, point, out);
     const std::size_t first = out.size();
     double total = 0;
-    for (const Element& e : elements_) {
+    for_elements_at(point, [&](const Element& e) {
       const double density = std::abs(density_at(e, point));
-      if (density == 0) continue;
+      if (density == 0) return;
       total += density;
-      if (out.size() > first && out.back().index == e.component) {
-        out.back().weight += static_cast<float>(density);
+      const auto same = std::find_if(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
+                                     [&](const TextureWeight& w) { return w.index == e.component; });
+      if (same != out.end()) {
+        same->weight += static_cast<float>(density);
       } else {
         out.push_back({e.component, static_cast<float>(density)});
       }
-    }
+    });
+    std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
+              [](const TextureWeight& a, const TextureWeight& b) { return a.index < b.index; });
     for (std::size_t i = first; i < out.size(); ++i) out[i].weight /= static_cast<float>(total);
   }
 
  private:
+  static Aabb element_box(const Element& e) {
+    if (e.piece == Piece::kSide) {
+      Aabb box = circle_box(e.to_world, 0, 1);
+      box.join(circle_box(e.to_world, 1, 1));
+      return box;
+    }
+    dvec3 reach;
+    for (int axis = 0; axis < 3; ++axis)
+      reach[axis] = glm::length(dvec3(e.to_world.linear[0][axis], e.to_world.linear[1][axis], e.to_world.linear[2][axis]));
+    return {e.to_world.translation - reach, e.to_world.translation + reach};
+  }
+
+  // Always in the same order for the same ray or point, so that sums of densities round the same way.
+  template <class Visit>
+  void for_elements_near(const Ray& ray, Interval range, Visit&& visit) const {
+    if (tree_.empty()) {
+      for (const Element& element : elements_) visit(element);
+      return;
+    }
+    std::uint64_t box_tests = 0;
+    const auto order = tree_.order();
+    tree_.traverse(ray, range, box_tests, [&](std::uint32_t first, std::uint32_t count, double&) {
+      for (std::uint32_t i = first; i < first + count; ++i) visit(elements_[order[i]]);
+      return false;
+    });
+  }
+  template <class Visit>
+  void for_elements_at(const dvec3& point, Visit&& visit) const {
+    for_elements_near({point, {0, 0, 1}}, {0, 0}, visit);
+  }
+
   void add_component(const BlobComponent& component, std::uint32_t index, const Transform& blob_to_world) {
     if (component.radius == 0 || component.strength == 0) return;
     const double r = std::abs(component.radius);
@@ -223,6 +259,7 @@ class BlobSurface final : public ScannedShape<BlobSurface> {
   double threshold_;
   bool mixes_;
   std::vector<Element> elements_;
+  Bvh tree_;  // empty for few elements
 };
 
 }  // namespace

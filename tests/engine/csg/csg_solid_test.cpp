@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "engine/shape/box.hpp"
 #include "engine/shape/cylinder.hpp"
 #include "engine/shape/plane.hpp"
@@ -153,6 +156,39 @@ TEST(Csg, CutawaySharesComeFromWhatThePointIsIn) {
   hit.cutaway->cutaway_shares({0, 0, 0}, shares);
   ASSERT_EQ(shares.size(), 2u);
   EXPECT_EQ(shares[0].second, .5);
+}
+
+// Many children are found through a tree; few are gone through. Both must agree with asking every child.
+TEST(Csg, ManyChildrenAgreeWithAskingEach) {
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (const CsgKind kind : {CsgKind::kUnion, CsgKind::kMerge}) {
+    CsgSolid::Children children, alone;
+    for (int i = 0; i < 60; ++i) {
+      const Sphere ball{{3 * unit(random), 3 * unit(random), 3 * unit(random)}, .5 + .3 * unit(random)};
+      children.push_back(leaf(ball, i));
+      alone.push_back(leaf(ball, i));
+    }
+    const CsgSolid csg(kind, std::move(children));
+    for (int i = 0; i < 500; ++i) {
+      const double x = 3 * unit(random);
+      const double y = 3 * unit(random);
+      const Ray ray{{x, y, -10}, {0, 0, 1}};
+      double nearest = kInfinity;
+      for (const auto& child : alone) {
+        Hit hit;
+        if (child->nearest(ray, kAhead, {}, hit)) nearest = std::min(nearest, hit.t);
+      }
+      Hit hit;
+      ASSERT_EQ(csg.nearest(ray, kAhead, {}, hit), nearest < kInfinity);
+      if (nearest < kInfinity) {
+        EXPECT_EQ(hit.t, nearest);
+      }
+      seen(csg, x, y);
+      const dvec3 point(x, y, 3 * unit(random));
+      EXPECT_EQ(csg.inside(point), std::ranges::any_of(alone, [&](const auto& child) { return child->inside(point); }));
+    }
+  }
 }
 
 TEST(Csg, NestedCombinationsKeepTheirHitsApart) {

@@ -76,6 +76,27 @@ TEST(Blob, HitsNearerThanAHundredthAreSkipped) {
   EXPECT_LT(trace(*shape, {0, 0, -0.474767 - .011}, kZ)->point.z, 0);
 }
 
+// Many components are found through a tree; a blob of few, all others out of reach, must look the same.
+TEST(Blob, ManyComponentsAgreeWithFew) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const std::vector<BlobComponent> few{ball({-.75, 0, 0}, 1, 1), rod({0, -.5, 0}, {.5, .5, .2}, .8, 1), ball({.4, .3, -.5}, .5, -.4)};
+  Blob many{.4, few};
+  for (int i = 0; i < 100; ++i) many.components.push_back(ball({10 + unit(random), unit(random), unit(random)}, .5, 1));
+  const auto small = make(Blob{.4, few});
+  const auto large = make(many);
+  for (int i = 0; i < 500; ++i) {
+    const dvec3 from(2 * unit(random), 2 * unit(random), -5);
+    const auto a = trace(*small, from, kZ);
+    const auto b = trace(*large, from, kZ);
+    ASSERT_EQ(a.has_value(), b.has_value());
+    if (!a) continue;
+    EXPECT_NEAR(a->t, b->t, 1e-9);
+    EXPECT_LT(test::distance(a->normal, b->normal), 1e-6);
+    EXPECT_EQ(small->inside(a->point + .01 * kZ), large->inside(a->point + .01 * kZ));
+  }
+}
+
 TEST(Blob, TransformedComponentIsEvaluatedInItsOwnSpace) {
   BlobComponent c = ball(dvec3(0), 1, 1);
   c.transform = Transform::scale({1, 1, 2}).then(Transform::translate({1, 0, 0}));

@@ -1,5 +1,5 @@
 # Thin: each target installs what is missing, builds, runs.
-.PHONY: build test
+.PHONY: bench build test
 
 build:
 	tools/setup
@@ -8,3 +8,10 @@ build:
 
 test: build
 	ctest --test-dir build --output-on-failure -j 2
+
+# Needs Google Benchmark and Embree 3 (Debian: libbenchmark-dev, libembree-dev).
+bench:
+	tools/setup
+	cmake --preset release -DLUTE_BUILD_BENCH=ON >/dev/null
+	cmake --build build --target lute-bench-accel
+	build/bin/lute-bench-accel --benchmark_min_time=1

@@ -24,6 +24,8 @@ struct Item {
   Token token;
   std::uint32_t file = 0;  // where token.offset counts
   Slot slot;               // kIdentifier: the value it names (never empty for a declared name)
+  const Token* source = nullptr;  // the token in its file; of an array element the array's name
+  std::uint8_t subscripts = 0;    // of an array element: how many were read
 
   bool is(TokenKind kind) const { return token.kind == kind; }
   bool is(Word word) const { return token.kind == TokenKind::kWord && token.word == word; }
@@ -46,6 +48,9 @@ class Reader {
   bool accept(Word word);
   void expect(TokenKind kind);           // Expected '...', ... found instead
   void expect(Word word);
+  // The next token as it is written, without executing what stands in front of it: for deciding whether a #declare's value goes
+  // on (layered textures), where the reference runs no directives either.
+  bool at_written(Word word);
   void comma() { accept(TokenKind::kComma); }  // commas are optional everywhere
 
   // Blocks: `open` after the keyword was taken. "Missing { after 'sphere', ..." and "No matching } in 'sphere', ...".
@@ -116,6 +121,7 @@ class Reader {
   // `assumed_gamma` was given: needed before `srgb` colours. Set by the global_settings statement, which also sets scene().settings.
   bool assumed_gamma_given() const;
   void set_assumed_gamma_given();
+  void set_noise_generator_given();  // #version no longer sets scene().settings.noise_generator
   enum class Charset : std::uint8_t { kAscii, kUtf8, kSystem };
   void set_charset(Charset charset);
 

@@ -40,6 +40,7 @@ struct Value;
 struct Array {
   std::vector<int> sizes;       // 1 to 5 of them
   std::vector<Value> elements;  // row-major; unset elements hold nothing. Never resized: macro arguments point to elements.
+  int nesting = 1;              // arrays in arrays
   std::size_t type = 0;         // index of Value's alternative, numbers distinguished by count; see type_code()
 };
 using ArrayPtr = std::shared_ptr<Array>;

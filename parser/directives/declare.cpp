@@ -1,0 +1,279 @@
+// #declare #local #undef, and what may stand on the right of their `=`. Source: specification chapter 10 §3.
+#include "parser/directives/directive.hpp"
+#include "parser/expression/expression.hpp"
+
+namespace lute {
+
+namespace {
+
+[[noreturn]] void fail_unset(Session& session, const Item& item, ValueUse use) {
+  if (item.slot) session.fail_at("Attempt to access uninitialized array element.", "uninitialized", item);
+  if (use == ValueUse::kArgument) {
+    session.fail_at("Cannot pass uninitialized identifier as macro parameter. Initialize identifier first.", "uninitialized", item);
+  }
+  session.fail_at("Cannot assign uninitialized identifier.", "uninitialized", item);
+}
+
+Value numeric_value(Session& session, ValueUse use) {
+  const TokenStream::AfterOperand directives(session.stream, use != ValueUse::kDeclare);
+  return evaluate(session, Level::kAdditive);
+}
+
+ParsedValue new_value(Value value, bool numeric = false) {
+  return {std::make_shared<Value>(std::move(value)), false, numeric};
+}
+
+// An identifier comes next: alone it stands for what it holds, else it begins an expression.
+ParsedValue parse_identifier_value(Session& session, ValueUse use) {
+  TokenStream& stream = session.stream;
+  const Item item = stream.take();
+  const Slot& slot = item.slot;
+  if (slot->empty()) fail_unset(session, item, use);
+  if (slot->holds<Number>()) {
+    if (use == ValueUse::kArgument && stream.ends_argument()) return {slot, true, true};
+    stream.put_back(item);
+    return new_value(numeric_value(session, use), true);
+  }
+  const bool callable = slot->holds<FunctionPtr>() || slot->holds<SplinePtr>();
+  if (callable && (stream.at_written(TokenKind::kLeftParen) ||
+                   (use == ValueUse::kArgument && !stream.ends_argument() && stream.peek().is(TokenKind::kLeftParen)))) {
+    stream.put_back(item);
+    return new_value(numeric_value(session, use), true);
+  }
+  if (use == ValueUse::kArgument && !slot->holds<FunctionPtr>()) return {slot, true, false};
+  return new_value(copy(*slot));
+}
+
+}  // namespace
+
+ParsedValue parse_value(Session& session, ValueUse use) {
+  Reader& reader = session.reader;
+  const Item& next = reader.peek();
+  if (next.is(TokenKind::kIdentifier)) return parse_identifier_value(session, use);
+  if (next.is(TokenKind::kName)) fail_unset(session, next, use);
+  const Word word = next.word();
+  switch (word) {
+    case Word::kFunction: reader.take(); return new_value(parse_function(session, true));
+    case Word::kArray: reader.take(); return new_value(parse_array(session));
+    case Word::kSpline: reader.take(); return new_value(parse_spline(session));
+    default: break;
+  }
+  if (starts_string(next)) return new_value(std::make_shared<const std::u16string>(parse_string(session)));
+  if (const auto found = session.declare_values.find(word); word != Word::kNone && found != session.declare_values.end()) {
+    // Expressions inside a statement are parsed as everywhere else.
+    const TokenStream::AfterOperand directives(session.stream, true);
+    return new_value(found->second(reader));
+  }
+  if (starts_number(next)) return new_value(numeric_value(session, use), true);
+  if (starts_color(next)) {
+    const TokenStream::AfterOperand directives(session.stream, use != ValueUse::kDeclare);
+    return new_value(Number(parse_color(session, 5).color), true);
+  }
+  session.fail_expected(use == ValueUse::kArgument ? "macro argument" : "RValue to declare", next);
+}
+
+namespace {
+
+void check_element_type(Session& session, const Array& array, const Value& value) {
+  for (const Value& element : array.elements) {
+    if (element.empty()) continue;
+    if (type_code(element) == type_code(value)) return;
+    session.fail("Attempted to redefine " + std::string(type_name(element)) + " as " + std::string(type_name(value)) + ".",
+                 "element-type");
+  }
+}
+
+constexpr int kMostArrayNesting = 100;
+
+int nesting(const Value& value) {
+  const ArrayPtr* array = value.get_if<ArrayPtr>();
+  return array == nullptr ? 0 : (*array)->nesting;
+}
+
+void set_element(Session& session, Array& array, Value& element, Value value) {
+  if (array.type == 0) array.type = type_code(value);
+  if (array.type != type_code(value)) check_element_type(session, array, value);
+  array.type = type_code(value);
+  array.nesting = std::max(array.nesting, nesting(value) + 1);
+  if (array.nesting > kMostArrayNesting) session.fail("Arrays are nested too deeply.", "nesting");
+  assign(session, element, std::move(value));
+}
+
+// One level of an initialiser: `{ item, item, ... }` or groups of those.
+void parse_initialiser(Session& session, Array& array, std::size_t dimension, std::size_t& position) {
+  Reader& reader = session.reader;
+  const auto size = static_cast<std::size_t>(array.sizes[dimension]);
+  reader.expect(TokenKind::kLeftBrace);
+  for (std::size_t i = 0; i < size; ++i) {
+    if (reader.at(TokenKind::kRightBrace)) {
+      session.fail_at("Too few items in array: expected " + std::to_string(size) + " but found " + std::to_string(i) + ".",
+                      "array-items", reader.peek());
+    }
+    if (dimension + 1 < array.sizes.size()) {
+      parse_initialiser(session, array, dimension + 1, position);
+    } else {
+      ParsedValue value = parse_value(session, ValueUse::kElement);
+      set_element(session, array, array.elements[position++], std::move(*value.slot));
+    }
+    reader.comma();
+  }
+  reader.close(Word::kArray);
+}
+
+}  // namespace
+
+Value parse_array(Session& session) {
+  TokenStream& stream = session.stream;
+  auto array = std::make_shared<Array>();
+  constexpr std::size_t kMostElements = 1u << 28;
+  std::size_t count = 1;
+  session.reader.expect(TokenKind::kLeftSquare);
+  do {
+    if (array->sizes.size() == 5) session.fail("Too many array dimensions", "array-dimensions");
+    const double size = session.reader.number() + kEpsilon;
+    if (!(size >= 1) || size > static_cast<double>(kMostElements)) {
+      session.fail("Invalid dimension size for an array", "array-dimensions");
+    }
+    array->sizes.push_back(static_cast<int>(size));
+    count *= static_cast<std::size_t>(size);
+    const std::size_t limit = session.options.limits.memory_bytes;
+    if (count > kMostElements || (limit != 0 && count * sizeof(Value) > limit)) {
+      session.fail("This array would need more memory than is allowed.", "limit-memory");
+    }
+    session.reader.expect(TokenKind::kRightSquare);
+  } while (stream.at_written(TokenKind::kLeftSquare) && session.reader.accept(TokenKind::kLeftSquare));
+  array->elements.resize(count);
+  std::size_t position = 0;
+  if (stream.at_written(TokenKind::kLeftBrace)) parse_initialiser(session, *array, 0, position);
+  return array;
+}
+
+Slot select_element(Session& session, const ArrayPtr& array, std::uint8_t& subscripts) {
+  TokenStream& stream = session.stream;
+  const TokenStream::Aside aside(stream, true);
+  std::size_t index = 0;
+  for (const int size : array->sizes) {
+    const Item open = stream.take_raw();
+    if (!open.is(TokenKind::kLeftSquare)) session.fail_expected("[", open);
+    const double subscript = session.reader.number() + kEpsilon;
+    session.reader.expect(TokenKind::kRightSquare);
+    if (subscript < 0) session.fail("Negative subscript", "subscript");
+    if (!(subscript < size)) session.fail("Array subscript out of range", "subscript");
+    index = index * static_cast<std::size_t>(size) + static_cast<std::size_t>(subscript);
+    ++subscripts;
+  }
+  return Slot(array, &array->elements[index]);
+}
+
+void assign(Session& session, Value& target, Value value) {
+  if (target.holds<FunctionPtr>()) {
+    session.fail("Redeclaring functions is not allowed - #undef the function first!", "function-redeclared");
+  }
+  if (const Number* number = value.get_if<Number>(); number != nullptr && number->count == 5) value = Number(number->color());
+  target = std::move(value);
+}
+
+namespace {
+
+std::shared_ptr<Deprecation> parse_deprecation(Session& session) {
+  TokenStream& stream = session.stream;
+  if (!stream.at_written(Word::kDeprecated)) return nullptr;
+  stream.take_raw();
+  auto deprecation = std::make_shared<Deprecation>();
+  if (stream.at_written(Word::kOnce)) {
+    stream.take_raw();
+    deprecation->once = true;
+  }
+  if (starts_string(stream.peek_raw())) deprecation->message = to_bytes(session, parse_string(session));
+  return deprecation;
+}
+
+// The `;` behind a value. Numbers must have it; behind anything else one is swallowed.
+void end_declaration(Session& session, bool numeric) {
+  TokenStream& stream = session.stream;
+  if (!numeric) {
+    if (stream.at_written(TokenKind::kSemicolon)) stream.take();
+    return;
+  }
+  const TokenStream::AfterOperand no_directives(stream, false);
+  stream.fetch_after_operand();
+  if (stream.peek().is(TokenKind::kSemicolon)) {
+    stream.take();
+    return;
+  }
+  const char* const message =
+      "All #declares of float, vector, and color require semi-colon ';' at end if the language version is set to 3.5 or higher. "
+      "Either add the semi-colon or set the language version to 3.1 or lower.";
+  if (session.language.version >= 350) session.fail_after(message, "missing-semicolon");
+  if (session.language.version >= 310) session.possible_error(message, "missing-semicolon");
+}
+
+}  // namespace
+
+void run_declare(Session& session, bool local) {
+  TokenStream& stream = session.stream;
+  std::shared_ptr<Deprecation> deprecation = parse_deprecation(session);
+  const Item name = stream.take_raw();
+  const bool undeclared = name.is(TokenKind::kName);
+  if (!undeclared && (!name.is(TokenKind::kIdentifier) || name.slot->holds<MacroPtr>())) {
+    session.fail_expected("undeclared identifier", name);
+  }
+  const NameId id = name.token.index;
+  if (deprecation && deprecation->message.empty()) {
+    deprecation->message = "Identifier '" + std::string(session.names.text(id)) + "' was declared deprecated.";
+  }
+
+  // An element of an array.
+  ArrayPtr array;
+  Slot element;
+  if (!undeclared) {
+    element = name.slot;
+    std::uint8_t subscripts = 0;
+    while (element->holds<ArrayPtr>() && stream.at_written(TokenKind::kLeftSquare)) {
+      array = *element->get_if<ArrayPtr>();
+      element = select_element(session, array, subscripts);
+    }
+  }
+  const Item equals = stream.take_raw();
+  if (!equals.is(TokenKind::kEqual)) session.fail_expected("=", equals);
+  ParsedValue value = parse_value(session, ValueUse::kDeclare);
+  end_declaration(session, value.numeric);
+
+  if (array) {
+    set_element(session, *array, *element, std::move(*value.slot));
+    return;
+  }
+  SymbolTable::Entry* entry = local ? session.symbols.find_in_newest(id) : session.symbols.find(id);
+  if (entry != nullptr) {
+    assign(session, *entry->slot, std::move(*value.slot));
+  } else {
+    Value fresh;
+    assign(session, fresh, std::move(*value.slot));
+    *value.slot = std::move(fresh);
+    entry = &session.symbols.add(id, local ? session.symbols.newest() : 0, std::move(value.slot));
+  }
+  if (deprecation) entry->deprecation = std::move(deprecation);
+}
+
+void run_undef(Session& session) {
+  TokenStream& stream = session.stream;
+  const Item name = stream.take_raw();
+  if (name.is(TokenKind::kName)) {
+    session.warn("Attempt to undef unknown identifier", "undef-unknown");
+    return;
+  }
+  if (!name.is(TokenKind::kIdentifier)) session.fail_expected("identifier", name);
+  Slot slot = name.slot;
+  std::uint8_t subscripts = 0;
+  while (slot->holds<ArrayPtr>() && stream.at_written(TokenKind::kLeftSquare)) {
+    const ArrayPtr array = *slot->get_if<ArrayPtr>();
+    slot = select_element(session, array, subscripts);
+  }
+  if (subscripts > 0) {
+    *slot = Value();
+  } else {
+    session.symbols.remove(name.token.index);
+  }
+}
+
+}  // namespace lute

@@ -1,0 +1,83 @@
+#include "parser/directives/directive.hpp"
+
+namespace lute {
+
+namespace {
+
+// Directives inside the arguments of directives, without end, must not exhaust the stack.
+constexpr int kMostNestedDirectives = 200;
+
+bool is_directive(Word word) {
+  switch (word) {
+    case Word::kDeclare: case Word::kLocal: case Word::kUndef: case Word::kIf: case Word::kIfdef: case Word::kIfndef:
+    case Word::kElseif: case Word::kElse: case Word::kEnd: case Word::kWhile: case Word::kFor: case Word::kSwitch:
+    case Word::kCase: case Word::kRange: case Word::kBreak: case Word::kMacro: case Word::kInclude: case Word::kVersion:
+    case Word::kDefault: case Word::kDebug: case Word::kWarning: case Word::kError: case Word::kRender:
+    case Word::kStatistics: case Word::kFopen: case Word::kFclose: case Word::kRead: case Word::kWrite: return true;
+    default: return false;
+  }
+}
+
+void dispatch(Session& session, Word word) {
+  switch (word) {
+    case Word::kDeclare: return run_declare(session, false);
+    case Word::kLocal: return run_declare(session, true);
+    case Word::kUndef: return run_undef(session);
+    case Word::kIf: return run_if(session);
+    case Word::kIfdef: return run_ifdef(session, true);
+    case Word::kIfndef: return run_ifdef(session, false);
+    case Word::kElseif: return run_elseif(session);
+    case Word::kElse: return run_else(session);
+    case Word::kEnd: return run_end(session);
+    case Word::kWhile: return run_while(session);
+    case Word::kFor: return run_for(session);
+    case Word::kSwitch: return run_switch(session);
+    case Word::kCase:
+    case Word::kRange: return run_case(session, word);
+    case Word::kBreak: return run_break(session);
+    case Word::kMacro: return run_macro(session);
+    case Word::kInclude: return run_include(session);
+    case Word::kVersion: return run_version(session);
+    case Word::kDefault: return parse_default(session.reader);
+    case Word::kDebug:
+    case Word::kWarning:
+    case Word::kRender:
+    case Word::kStatistics: return run_text_stream(session, word);
+    case Word::kError: return run_error(session);
+    case Word::kFopen: return run_fopen(session);
+    case Word::kFclose: return run_fclose(session);
+    case Word::kRead: return run_read(session);
+    case Word::kWrite: return run_write(session);
+    default: return;
+  }
+}
+
+}  // namespace
+
+bool run_directive(Session& session) {
+  TokenStream& stream = session.stream;
+  Frame& frame = stream.frames.back();
+  const Token* const hash = frame.cursor;
+  const Token* const keyword = hash + 1;
+  if (keyword == frame.end || keyword->kind != TokenKind::kWord || !is_directive(keyword->word)) {
+    // What is behind the `#` is reported, not the `#`: "Expected 'object or directive', undeclared identifier 'foo' found".
+    if (keyword != frame.end) ++frame.cursor;
+    const Item found = stream.peek_raw();
+    session.fail_expected("object or directive", found);
+  }
+  frame.cursor = keyword + 1;
+  stream.last_file = frame.file->index;
+  stream.last_token = keyword;
+  ++stream.events;
+  const Word word = keyword->word;  // before frames move
+
+  const TokenStream::Aside aside(stream, true);
+  const ExpressionState::Interruption interruption(session.expressions);
+  if (++session.nested_directives > kMostNestedDirectives) session.fail("Directives are nested too deeply.", "nesting");
+  dispatch(session, word);
+  --session.nested_directives;
+  stream.unread();
+  return true;
+}
+
+}  // namespace lute

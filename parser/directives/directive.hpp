@@ -1,0 +1,70 @@
+// The directives, one function each; the `#` and the keyword were taken. Source: specification chapter 10 §2-§6.
+#pragma once
+
+#include "parser/session.hpp"
+
+namespace lute {
+
+// Executes the directive whose `#` is next in the innermost frame. False, and nothing taken, if what follows `#` is no directive.
+bool run_directive(Session& session);
+
+// conditional.cpp
+void run_if(Session& session);
+void run_ifdef(Session& session, bool wanted);
+void run_elseif(Session& session);
+void run_else(Session& session);
+void run_switch(Session& session);
+void run_case(Session& session, Word word);
+bool is_defined(Session& session);  // NAME or NAME[subscripts] next: ifdef and defined()
+
+// loop.cpp
+void run_while(Session& session);
+void run_for(Session& session);
+void run_end(Session& session);
+void run_break(Session& session);
+
+// skip.cpp: from the innermost frame's cursor to the next directive of the own level. Its keyword is taken and returned.
+// `to_end`: only #end counts.
+Word skip(Session& session, bool to_end);
+
+// macro.cpp
+void run_macro(Session& session);  // the definition
+void call_macro(Session& session, const MacroPtr& macro, const Item& name);
+
+// include.cpp
+void run_include(Session& session);
+void include_file(Session& session, const std::string& name);
+void run_version(Session& session);
+
+// declare.cpp
+void run_declare(Session& session, bool local);
+void run_undef(Session& session);
+void assign(Session& session, Value& target, Value value);  // to a variable
+// What may stand on the right of `=` in #declare, as a macro argument (`argument`: lone identifiers are passed by reference), or
+// as an array element.
+struct ParsedValue {
+  Slot slot;               // by reference if it is a variable's own
+  bool by_reference = false;
+  bool numeric = false;    // needs `;` in #declare
+};
+enum class ValueUse : std::uint8_t { kDeclare, kArgument, kElement };
+ParsedValue parse_value(Session& session, ValueUse use);
+Value parse_array(Session& session);  // the keyword was taken
+// The element that `[...]...` selects; the `[` is next in the raw stream.
+Slot select_element(Session& session, const ArrayPtr& array, std::uint8_t& subscripts);
+
+// text_stream.cpp
+void run_text_stream(Session& session, Word word);
+void run_error(Session& session);
+
+// user_file.cpp
+void run_fopen(Session& session);
+void run_fclose(Session& session);
+void run_read(Session& session);
+void run_write(Session& session);
+
+// The open parenthesis and the closing one around a directive's argument.
+void open_paren(Session& session);
+void close_paren(Session& session);
+
+}  // namespace lute

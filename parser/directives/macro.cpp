@@ -1,0 +1,92 @@
+// #macro and the calls of macros. A call reads the body's tokens in place of itself; numeric identifiers that stand alone as
+// arguments are passed by reference. Source: specification chapter 10 §5.
+#include "parser/directives/macro.hpp"
+
+#include "parser/directives/directive.hpp"
+
+namespace lute {
+
+namespace {
+
+constexpr std::size_t kMostParameters = 55;
+
+// Parameter lists are kept short, so that a linear search for duplicates is no cost.
+std::vector<NameId> parse_parameters(Session& session) {
+  TokenStream& stream = session.stream;
+  std::vector<NameId> parameters;
+  for (;;) {
+    const Item item = stream.take_raw();
+    if (item.is(TokenKind::kRightParen)) return parameters;
+    if (!item.is(TokenKind::kName) && !item.is(TokenKind::kIdentifier)) session.fail_expected("parameter identifier", item);
+    if (parameters.size() >= kMostParameters) session.fail("Too many parameters", "macro-parameters");
+    parameters.push_back(item.token.index);
+    if (stream.peek_raw().is(TokenKind::kComma)) stream.take_raw();
+  }
+}
+
+}  // namespace
+
+void run_macro(Session& session) {
+  TokenStream& stream = session.stream;
+  if (session.language.version < 310) {
+    char text[96];
+    std::snprintf(text, sizeof text, "Macros require #version 3.1 or later but #version %.2f is set.",
+                  session.language.version / 100.0);
+    session.fail(text, "version");
+  }
+  const Item name = stream.take_raw();
+  const bool free = name.is(TokenKind::kName) || (name.is(TokenKind::kIdentifier) && name.slot->holds<MacroPtr>());
+  if (!free) session.fail_expected("undeclared identifier", name);
+  open_paren(session);
+  auto macro = std::make_shared<Macro>();
+  macro->name = name.token.index;
+  macro->parameters = parse_parameters(session);
+  const std::size_t depth = stream.frames.size();
+  macro->file = stream.frames.back().file;
+  macro->begin = stream.frames.back().cursor;
+  skip(session, true);
+  if (stream.frames.size() != depth) session.fail("End of file reached but #end expected.", "missing-end");
+  macro->end = stream.frames.back().cursor - 2;
+  if (name.slot) {
+    *name.slot = MacroPtr(macro);
+  } else {
+    session.symbols.add(macro->name, 0, std::make_shared<Value>(MacroPtr(macro)));
+  }
+}
+
+void call_macro(Session& session, const MacroPtr& macro, const Item& name) {
+  TokenStream& stream = session.stream;
+  ++stream.events;
+  stream.last_file = name.file;
+  stream.last_token = name.source;
+  std::vector<Slot> arguments;
+  arguments.reserve(macro->parameters.size());
+  {
+    const TokenStream::Aside aside(stream, true);
+    const ExpressionState::Interruption interruption(session.expressions);
+    open_paren(session);
+    for (std::size_t i = 0; i < macro->parameters.size(); ++i) {
+      if (session.reader.at(TokenKind::kRightParen)) {
+        session.fail_at("Expected " + std::to_string(macro->parameters.size()) + " parameters but only " + std::to_string(i) +
+                            " found.",
+                        "macro-arguments", session.reader.peek());
+      }
+      arguments.push_back(parse_value(session, ValueUse::kArgument).slot);
+      session.reader.comma();
+    }
+    close_paren(session);
+  }
+  if (session.symbols.table_count() >= SymbolTable::kMostTables) {
+    session.fail("Too many nested symbol tables", "nesting");
+  }
+  session.symbols.push_table();
+  const std::uint32_t table = session.symbols.newest();
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (session.symbols.find_in_newest(macro->parameters[i]) == nullptr) {
+      session.symbols.add(macro->parameters[i], table, std::move(arguments[i]));
+    }
+  }
+  stream.enter_macro(macro);
+}
+
+}  // namespace lute

@@ -1,0 +1,251 @@
+#include "parser/directives/token_stream.hpp"
+
+#include <cassert>
+
+#include "parser/directives/directive.hpp"
+
+namespace lute {
+
+TokenStream::Aside::Aside(TokenStream& stream, bool after_operand_ok)
+    : stream_(stream), window_size_(stream.window_size_), after_operand_ok_(stream.after_operand_ok_) {
+  for (int i = 0; i < window_size_; ++i) window_[i] = std::move(stream.window_[i]);
+  stream.window_size_ = 0;
+  stream.after_operand_ok_ = after_operand_ok;
+}
+
+TokenStream::Aside::~Aside() {
+  for (int i = 0; i < window_size_; ++i) stream_.window_[i] = std::move(window_[i]);
+  stream_.window_size_ = window_size_;
+  stream_.after_operand_ok_ = after_operand_ok_;
+}
+
+Item TokenStream::take() {
+  if (window_size_ == 0) fetch(true);
+  Item item = std::move(window_[0]);
+  if (item.token.kind == TokenKind::kEnd) {  // the end stays, however often it is taken
+    window_[0] = item;
+  } else {
+    if (window_size_ == 2) window_[0] = std::move(window_[1]);
+    --window_size_;
+  }
+  last_file = item.file;
+  last_token = item.source;
+  return item;
+}
+
+void TokenStream::put_back(Item item) {
+  assert(window_size_ < 2);
+  // Back to its frame if it still lies there in front of the cursor: then compiled code can take over.
+  if (window_size_ == 0 && item.subscripts == 0 && frames.back().cursor == item.source + 1) {
+    frames.back().cursor = item.source;
+    return;
+  }
+  if (window_size_ == 1) window_[1] = std::move(window_[0]);
+  window_[0] = std::move(item);
+  ++window_size_;
+}
+
+void TokenStream::unread() {
+  if (window_size_ != 1) return;
+  frames.back().cursor = window_[0].source;
+  window_size_ = 0;
+}
+
+bool TokenStream::at_written(TokenKind kind) const {
+  if (window_size_ > 0) return window_[0].is(kind);
+  const Frame& frame = frames.back();
+  return frame.cursor != frame.end && frame.cursor->kind == kind;
+}
+
+bool TokenStream::at_written(Word word) const {
+  if (window_size_ > 0) return window_[0].is(word);
+  const Frame& frame = frames.back();
+  return frame.cursor != frame.end && frame.cursor->kind == TokenKind::kWord && frame.cursor->word == word;
+}
+
+bool TokenStream::ends_argument() {
+  if (window_size_ == 0) {
+    const Frame& frame = frames.back();
+    if (frame.cursor != frame.end && frame.cursor->kind != TokenKind::kHash && frame.cursor->kind != TokenKind::kName) {
+      return frame.cursor->kind == TokenKind::kComma || frame.cursor->kind == TokenKind::kRightParen;
+    }
+  }
+  const Item& next = peek();
+  return next.is(TokenKind::kComma) || next.is(TokenKind::kRightParen);
+}
+
+void TokenStream::fail_unreadable(const Frame& frame) {
+  Item item;
+  item.token = *frame.cursor;
+  item.file = frame.file->index;
+  item.source = frame.cursor;
+  session_.fail_at(frame.file->errors[frame.cursor->index], "unreadable-text", item);
+}
+
+// Ends the innermost frame if it has no token left.
+bool TokenStream::at_frame_end() {
+  Frame& frame = frames.back();
+  if (frame.macro) {
+    if (frame.cursor != frame.end) return false;
+    leave_macro();
+    return true;
+  }
+  if (frame.cursor->kind == TokenKind::kError) fail_unreadable(frame);
+  if (frame.cursor->kind != TokenKind::kEnd || frames.size() == 1) return false;
+  for (const Conditional& open : conditionals) {
+    if (open.frame + 1 != frames.size()) continue;
+    if (open.kind == Conditional::Kind::kWhile || open.kind == Conditional::Kind::kFor) {
+      session_.fail(open.kind == Conditional::Kind::kWhile ? "#while loop did not end in file where it started."
+                                                           : "#for loop did not end in file where it started.",
+                    "loop-across-files");
+    }
+  }
+  ++events;
+  frames.pop_back();
+  session_.symbols.pop_table();
+  return true;
+}
+
+void TokenStream::fetch(bool directives_allowed) {
+  assert(window_size_ == 0);
+  for (;;) {
+    if (at_frame_end()) continue;
+    Frame& frame = frames.back();
+    Item item;
+    item.token = *frame.cursor;
+    item.file = frame.file->index;
+    item.source = frame.cursor;
+    switch (item.token.kind) {
+      case TokenKind::kHash:
+        if (directives_allowed && run_directive(session_)) continue;
+        break;
+      case TokenKind::kEnd:
+        if (!conditionals.empty()) session_.fail_at("End of file reached but #end expected.", "missing-end", item);
+        window_[0] = std::move(item);
+        window_size_ = 1;
+        return;
+      case TokenKind::kName: {
+        ++frame.cursor;
+        resolve(item, true);
+        const MacroPtr* macro = item.slot ? item.slot->get_if<MacroPtr>() : nullptr;
+        if (macro != nullptr) {
+          call_macro(session_, MacroPtr(*macro), item);
+          continue;
+        }
+        window_[0] = std::move(item);
+        window_size_ = 1;
+        return;
+      }
+      default: break;
+    }
+    ++frames.back().cursor;
+    window_[0] = std::move(item);
+    window_size_ = 1;
+    return;
+  }
+}
+
+// Looks a name up: an identifier if it is declared. The frame's cursor is behind the name.
+void TokenStream::resolve(Item& item, bool read_subscripts) {
+  SymbolTable::Entry* entry = session_.symbols.find(item.token.index);
+  if (entry == nullptr) return;
+  item.token.kind = TokenKind::kIdentifier;
+  item.slot = entry->slot;
+  if (entry->deprecation && !(entry->deprecation->once && entry->deprecation->told)) {
+    entry->deprecation->told = true;
+    last_file = item.file;
+    last_token = item.source;
+    session_.warn(entry->deprecation->message, "deprecated");
+  }
+  if (!read_subscripts) return;
+  // An element of an array of arrays may be subscripted again.
+  while (const ArrayPtr* array = item.slot->get_if<ArrayPtr>()) {
+    const Frame& frame = frames.back();
+    if (frame.cursor == frame.end || frame.cursor->kind != TokenKind::kLeftSquare) break;
+    const ArrayPtr keep = *array;
+    const bool first = item.subscripts == 0;
+    item.slot = select_element(session_, keep, item.subscripts);
+    if (!first) session_.expressions.recording.reset();
+  }
+}
+
+Item TokenStream::peek_raw() {
+  while (at_frame_end()) {
+  }
+  const Frame& frame = frames.back();
+  Item item;
+  item.token = *frame.cursor;
+  item.file = frame.file->index;
+  item.source = frame.cursor;
+  if (item.token.kind == TokenKind::kName) {
+    const SymbolTable::Entry* entry = session_.symbols.find(item.token.index);
+    if (entry != nullptr) {
+      item.token.kind = TokenKind::kIdentifier;
+      item.slot = entry->slot;
+    }
+  }
+  return item;
+}
+
+Item TokenStream::take_raw() {
+  assert(window_size_ == 0);
+  Item item = peek_raw();
+  if (item.token.kind != TokenKind::kEnd) ++frames.back().cursor;
+  last_file = item.file;
+  last_token = item.source;
+  return item;
+}
+
+void TokenStream::push_conditional(Conditional conditional) {
+  if (conditionals.size() >= kMostConditionals) session_.fail("Too many nested conditionals or macros.", "nesting");
+  conditional.frame = static_cast<std::uint32_t>(frames.size() - 1);
+  using Kind = Conditional::Kind;
+  if (conditional.kind == Kind::kWhile || conditional.kind == Kind::kFor) ++repeating_;
+  conditionals.push_back(conditional);
+}
+
+void TokenStream::pop_conditional() {
+  using Kind = Conditional::Kind;
+  if (conditionals.back().kind == Kind::kWhile || conditionals.back().kind == Kind::kFor) --repeating_;
+  conditionals.pop_back();
+}
+
+void TokenStream::enter_file(SourceFile& file) {
+  std::size_t open_files = 0;
+  for (const Frame& frame : frames) open_files += frame.macro ? 0 : 1;
+  if (open_files >= kMostFiles) session_.fail("Too many nested include files.", "nesting");
+  if (!frames.empty()) {
+    if (session_.symbols.table_count() >= SymbolTable::kMostTables) {
+      session_.fail("Too many nested symbol tables", "nesting");
+    }
+    session_.symbols.push_table();
+  }
+  ++events;
+  frames.push_back({&file, file.tokens.data(), file.tokens.data() + file.tokens.size() - 1, nullptr});
+}
+
+// The parameters' table was pushed by the caller.
+void TokenStream::enter_macro(MacroPtr macro) {
+  ++events;
+  ++repeating_;
+  const Token* const begin = macro->begin;
+  const Token* const end = macro->end;
+  frames.push_back({macro->file, begin, end, std::move(macro)});
+  Conditional call;
+  call.kind = Conditional::Kind::kMacro;
+  push_conditional(call);
+}
+
+void TokenStream::leave_macro() {
+  if (conditionals.empty() || conditionals.back().kind != Conditional::Kind::kMacro ||
+      conditionals.back().frame + 1 != frames.size()) {
+    session_.fail("Mis-matched '#end'.", "mismatched-directive");
+  }
+  ++events;
+  --repeating_;
+  conditionals.pop_back();
+  session_.symbols.pop_table();
+  frames.pop_back();
+}
+
+}  // namespace lute

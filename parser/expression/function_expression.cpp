@@ -1,0 +1,480 @@
+// function [(parameters)] { body }: the body becomes a program, or wraps a pattern, pigment, transform, spline or internal
+// function. The grammar is X3's; unlike scene expressions, & binds tighter than |, and nothing is evaluated while it is read.
+// Source: specification chapters 10 §11 and 21 §11.
+#include <boost/spirit/home/x3.hpp>
+
+#include "engine/function/internal_function.hpp"
+#include "engine/function/program.hpp"
+#include "parser/expression/climb.hpp"
+#include "parser/expression/expression.hpp"
+
+namespace lute {
+
+namespace {
+
+namespace x3 = boost::spirit::x3;
+using Node = ExpressionBuilder::Node;
+
+// The node in a type of its own: X3 would take a plain integer for a character.
+struct NodeValue {
+  Node node = 0;
+};
+
+constexpr std::size_t kMostParameters = 56;
+
+// A parameter: an undeclared name, or one of x y z u v.
+struct Parameter {
+  NameId name = 0;
+  Word word = Word::kNone;
+};
+
+struct FunctionScope {
+  Session& session;
+  ExpressionBuilder builder;
+  std::vector<Parameter> parameters;
+  std::vector<std::pair<NameId, Node>> locals;  // of the sums and products that are open
+};
+Session& session_of(FunctionScope& scope) { return scope.session; }
+
+struct FunctionOperators {
+  using Value = NodeValue;
+  static constexpr const char* kOperand = "sign or operand";
+  static int level(TokenKind kind) {
+    switch (kind) {
+      case TokenKind::kOr: return 1;
+      case TokenKind::kAnd: return 2;
+      case TokenKind::kLess:
+      case TokenKind::kLessEqual:
+      case TokenKind::kEqual:
+      case TokenKind::kNotEqual:
+      case TokenKind::kGreaterEqual:
+      case TokenKind::kGreater: return 3;
+      case TokenKind::kPlus:
+      case TokenKind::kMinus: return 4;
+      case TokenKind::kStar:
+      case TokenKind::kSlash: return 5;
+      default: return 0;
+    }
+  }
+  static BinaryOp operation(TokenKind kind) {
+    switch (kind) {
+      case TokenKind::kOr: return BinaryOp::kOr;
+      case TokenKind::kAnd: return BinaryOp::kAnd;
+      case TokenKind::kLess: return BinaryOp::kLess;
+      case TokenKind::kLessEqual: return BinaryOp::kLessEqual;
+      case TokenKind::kEqual: return BinaryOp::kEqual;
+      case TokenKind::kNotEqual: return BinaryOp::kNotEqual;
+      case TokenKind::kGreaterEqual: return BinaryOp::kGreaterEqual;
+      case TokenKind::kGreater: return BinaryOp::kGreater;
+      case TokenKind::kPlus: return BinaryOp::kAdd;
+      case TokenKind::kMinus: return BinaryOp::kSubtract;
+      case TokenKind::kStar: return BinaryOp::kMultiply;
+      default: return BinaryOp::kDivide;
+    }
+  }
+  static NodeValue combine(FunctionScope& scope, TokenKind op, NodeValue left, NodeValue right) {
+    return {scope.builder.binary(operation(op), left.node, right.node)};
+  }
+};
+
+bool parse_function_operand(FunctionScope& scope, NodeValue& result);
+
+struct FunctionOperand : x3::parser<FunctionOperand> {
+  using attribute_type = NodeValue;
+  static bool const has_attribute = true;
+  template <class It, class C, class R, class A>
+  bool parse(It& first, It const&, C const&, R&, A& attribute) const {
+    return parse_function_operand(first.state(), attribute);
+  }
+};
+
+struct FunctionExpressionTag;
+struct FunctionFactorTag;
+const x3::rule<FunctionExpressionTag, NodeValue> function_expression = "function expression";
+const x3::rule<FunctionFactorTag, NodeValue> function_factor = "sign or operand";
+
+struct FunctionSign : x3::parser<FunctionSign> {
+  using attribute_type = NodeValue;
+  static bool const has_attribute = true;
+  template <class It, class C, class R, class A>
+  bool parse(It& first, It const& last, C const& context, R& rcontext, A& attribute) const {
+    const TokenKind sign = first->token.kind;
+    if (sign != TokenKind::kPlus && sign != TokenKind::kMinus) return false;
+    FunctionScope& scope = first.state();
+    const Nesting nesting(scope.session);
+    ++first;
+    if (!function_factor.parse(first, last, context, rcontext, attribute)) {
+      scope.session.fail_expected("sign or operand", *first);
+    }
+    if (sign == TokenKind::kMinus) attribute.node = scope.builder.unary(UnaryOp::kNegate, attribute.node);
+    return true;
+  }
+};
+
+const auto function_factor_def = FunctionSign{} | FunctionOperand{};
+const auto function_expression_def = climb<1, FunctionOperators>(function_factor);
+BOOST_SPIRIT_DEFINE(function_factor, function_expression)
+
+Node parse_expression(FunctionScope& scope) {
+  const Nesting nesting(scope.session);
+  TokenCursor<FunctionScope> first(scope);
+  const TokenCursor<FunctionScope> last;
+  NodeValue result;
+  if (!x3::parse(first, last, function_expression, result)) {
+    scope.session.fail_expected("sign or operand", scope.session.stream.peek());
+  }
+  return result.node;
+}
+
+// `( e, e, ... )`; commas are required here.
+std::vector<Node> parse_arguments(FunctionScope& scope) {
+  Reader& reader = scope.session.reader;
+  std::vector<Node> arguments;
+  reader.expect(TokenKind::kLeftParen);
+  if (reader.accept(TokenKind::kRightParen)) return arguments;
+  do {
+    arguments.push_back(parse_expression(scope));
+  } while (reader.accept(TokenKind::kComma));
+  reader.expect(TokenKind::kRightParen);
+  return arguments;
+}
+
+std::optional<UnaryOp> unary_function(Word word) {
+  switch (word) {
+    case Word::kSin: return UnaryOp::kSin;
+    case Word::kCos: return UnaryOp::kCos;
+    case Word::kTan: return UnaryOp::kTan;
+    case Word::kAsin: return UnaryOp::kAsin;
+    case Word::kAcos: return UnaryOp::kAcos;
+    case Word::kAtan: return UnaryOp::kAtan;
+    case Word::kSinh: return UnaryOp::kSinh;
+    case Word::kCosh: return UnaryOp::kCosh;
+    case Word::kTanh: return UnaryOp::kTanh;
+    case Word::kAsinh: return UnaryOp::kAsinh;
+    case Word::kAcosh: return UnaryOp::kAcosh;
+    case Word::kAtanh: return UnaryOp::kAtanh;
+    case Word::kAbs: return UnaryOp::kAbs;
+    case Word::kRadians: return UnaryOp::kRadians;
+    case Word::kDegrees: return UnaryOp::kDegrees;
+    case Word::kFloor: return UnaryOp::kFloor;
+    case Word::kCeil: return UnaryOp::kCeil;
+    case Word::kInt: return UnaryOp::kInt;
+    case Word::kSqrt: return UnaryOp::kSqrt;
+    case Word::kExp: return UnaryOp::kExp;
+    case Word::kLn: return UnaryOp::kLn;
+    case Word::kLog: return UnaryOp::kLog;
+    default: return std::nullopt;
+  }
+}
+
+std::optional<BinaryOp> binary_function(Word word) {
+  switch (word) {
+    case Word::kAtan2: return BinaryOp::kAtan2;
+    case Word::kMod: return BinaryOp::kMod;
+    case Word::kPow: return BinaryOp::kPow;
+    case Word::kDiv: return BinaryOp::kDiv;
+    case Word::kMin: return BinaryOp::kMin;
+    case Word::kMax: return BinaryOp::kMax;
+    default: return std::nullopt;
+  }
+}
+
+void check_count(FunctionScope& scope, std::size_t supplied, std::size_t required) {
+  if (supplied == required) return;
+  scope.session.fail("Invalid number of parameters: " + std::to_string(supplied) + " supplied, " + std::to_string(required) +
+                         " required!",
+                     "function-arguments");
+}
+
+Node parse_built_in(FunctionScope& scope, Word word, UnaryOp op) {
+  const std::vector<Node> arguments = parse_arguments(scope);
+  if (arguments.size() != 1) {
+    scope.session.fail("Invalid number of parameters for '" + std::string(spelling(word)) + "': Only one parameter expected!",
+                       "function-arguments");
+  }
+  return scope.builder.unary(op, arguments[0]);
+}
+
+Node parse_built_in(FunctionScope& scope, Word word, BinaryOp op) {
+  const std::vector<Node> arguments = parse_arguments(scope);
+  const bool any_number = word == Word::kMin || word == Word::kMax;
+  if (!any_number || arguments.size() < 2) check_count(scope, arguments.size(), 2);
+  Node result = arguments[0];
+  for (std::size_t i = 1; i < arguments.size(); ++i) result = scope.builder.binary(op, result, arguments[i]);
+  return result;
+}
+
+Node parse_select(FunctionScope& scope) {
+  const std::vector<Node> a = parse_arguments(scope);
+  if (a.size() != 4) check_count(scope, a.size(), 3);
+  return scope.builder.select(a[0], a[1], a[2], a.size() == 4 ? a[3] : a[2]);
+}
+
+// sum(i, from, to, term): `i` is a new name inside the term.
+Node parse_repetition(FunctionScope& scope, bool product) {
+  Reader& reader = scope.session.reader;
+  reader.expect(TokenKind::kLeftParen);
+  const Item name = reader.peek();
+  if (!name.is(TokenKind::kName)) scope.session.fail_expected("undeclared identifier", name);
+  reader.take();
+  reader.expect(TokenKind::kComma);
+  const Node from = parse_expression(scope);
+  reader.expect(TokenKind::kComma);
+  const Node to = parse_expression(scope);
+  reader.expect(TokenKind::kComma);
+  const Node local = scope.builder.local();
+  scope.locals.emplace_back(name.token.index, local);
+  const Node term = parse_expression(scope);
+  scope.locals.pop_back();
+  reader.expect(TokenKind::kRightParen);
+  return product ? scope.builder.product(local, from, to, term) : scope.builder.sum(local, from, to, term);
+}
+
+// A component of a vector function's result.
+Node parse_component(FunctionScope& scope, const FunctionPtr& function, std::span<const Node> arguments) {
+  Session& session = scope.session;
+  ExpressionBuilder& e = scope.builder;
+  session.reader.expect(TokenKind::kPeriod);
+  const Item item = session.stream.peek();
+  const std::string_view name = item.is(TokenKind::kName) ? session.names.text(item.token.index) : std::string_view();
+  const auto component = [&](unsigned k) { return e.call(function, arguments, k); };
+  const auto scaled = [&](double weight, unsigned k) { return e.binary(BinaryOp::kMultiply, e.constant(weight), component(k)); };
+  const std::optional<Member> member = member_of(item.word());
+  if (!member && name != "grey" && name != "hf") session.fail_expected("x, y, z or color component", item);
+  session.stream.take();
+  if (name == "hf") {
+    return e.binary(BinaryOp::kMultiply, e.constant(0.996093),
+                    e.binary(BinaryOp::kAdd, component(0), e.binary(BinaryOp::kDivide, component(1), e.constant(255))));
+  }
+  if (!member || *member == Member::kGray) {
+    return e.binary(BinaryOp::kAdd, e.binary(BinaryOp::kAdd, scaled(0.297, 0), scaled(0.589, 1)), scaled(0.114, 2));
+  }
+  if (static_cast<int>(*member) >= function->result_count()) session.fail("Bad operands for period operator.", "member");
+  return component(static_cast<unsigned>(*member));
+}
+
+Node parse_function_call(FunctionScope& scope, const FunctionPtr& function) {
+  const std::vector<Node> arguments = parse_arguments(scope);
+  check_count(scope, arguments.size(), static_cast<std::size_t>(function->parameter_count()));
+  if (function->is_vector()) return parse_component(scope, function, arguments);
+  return scope.builder.call(function, arguments);
+}
+
+// x and u are one slot, y and v another; a slot that no parameter fills reads 0.
+Node slot_of(FunctionScope& scope, Word word) {
+  const auto slot = [](Word w) { return w == Word::kX || w == Word::kU ? 1 : w == Word::kY || w == Word::kV ? 2 : w == Word::kZ ? 3 : 0; };
+  for (std::size_t i = 0; i < scope.parameters.size(); ++i) {
+    const int own = slot(scope.parameters[i].word);
+    if (own != 0 && own == slot(word)) return scope.builder.parameter(static_cast<unsigned>(i));
+  }
+  return scope.builder.constant(0);
+}
+
+std::optional<Node> named(FunctionScope& scope, NameId name) {
+  for (std::size_t i = scope.locals.size(); i-- > 0;) {
+    if (scope.locals[i].first == name) return scope.locals[i].second;
+  }
+  for (std::size_t i = 0; i < scope.parameters.size(); ++i) {
+    const Parameter& parameter = scope.parameters[i];
+    if (parameter.word == Word::kNone && parameter.name == name) return scope.builder.parameter(static_cast<unsigned>(i));
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void fail_name(FunctionScope& scope, const Item& item) {
+  scope.session.fail_expected("parameter identifier or floating-point constant identifier", item);
+}
+
+bool parse_word(FunctionScope& scope, Word word, Node& result) {
+  TokenStream& stream = scope.session.stream;
+  ExpressionBuilder& e = scope.builder;
+  switch (word) {
+    case Word::kPiWord: stream.take(); result = e.constant(kPi); return true;
+    case Word::kClock:
+      stream.take();
+      result = e.constant(static_cast<double>(static_cast<float>(scope.session.options.clock)));
+      return true;
+    case Word::kX: case Word::kY: case Word::kZ: case Word::kU: case Word::kV:
+      stream.take();
+      result = slot_of(scope, word);
+      return true;
+    case Word::kSelect: stream.take(); result = parse_select(scope); return true;
+    case Word::kSum: stream.take(); result = parse_repetition(scope, false); return true;
+    case Word::kProd: stream.take(); result = parse_repetition(scope, true); return true;
+    default: break;
+  }
+  if (const auto op = unary_function(word)) {
+    stream.take();
+    result = parse_built_in(scope, word, *op);
+    return true;
+  }
+  if (const auto op = binary_function(word)) {
+    stream.take();
+    result = parse_built_in(scope, word, *op);
+    return true;
+  }
+  return false;
+}
+
+bool parse_function_operand(FunctionScope& scope, NodeValue& value) {
+  Session& session = scope.session;
+  const Item item = session.stream.peek();
+  Node& result = value.node;
+  switch (item.token.kind) {
+    case TokenKind::kNumber:
+      session.stream.take();
+      result = scope.builder.constant(item.token.number);
+      return true;
+    case TokenKind::kLeftParen: {
+      session.stream.take();
+      result = scope.builder.group(parse_expression(scope));
+      session.reader.expect(TokenKind::kRightParen);
+      return true;
+    }
+    case TokenKind::kName: {
+      const std::optional<Node> node = named(scope, item.token.index);
+      if (!node) fail_name(scope, item);
+      session.stream.take();
+      result = *node;
+      return true;
+    }
+    case TokenKind::kIdentifier: {
+      const Number* const number = item.slot->get_if<Number>();
+      const FunctionPtr* const function = item.slot->get_if<FunctionPtr>();
+      const std::optional<Node> node = item.subscripts == 0 ? named(scope, item.token.index) : std::nullopt;
+      if (!node && function == nullptr && (number == nullptr || !number->is_float())) fail_name(scope, item);
+      session.stream.take();
+      if (node) {
+        result = *node;
+      } else {
+        result = number != nullptr ? scope.builder.constant(number->c[0]) : parse_function_call(scope, FunctionPtr(*function));
+      }
+      return true;
+    }
+    case TokenKind::kWord: return parse_word(scope, item.token.word, result);
+    default: return false;
+  }
+}
+
+std::vector<Parameter> parse_parameters(Session& session) {
+  Reader& reader = session.reader;
+  std::vector<Parameter> parameters;
+  reader.expect(TokenKind::kLeftParen);
+  while (!reader.accept(TokenKind::kRightParen)) {
+    const Item item = reader.take();
+    switch (item.word()) {
+      case Word::kX: case Word::kY: case Word::kZ: case Word::kU: case Word::kV: parameters.push_back({0, item.word()}); break;
+      default:
+        if (!item.is(TokenKind::kName)) session.fail_expected("parameter identifier", item);
+        parameters.push_back({item.token.index, Word::kNone});
+    }
+    if (parameters.size() > kMostParameters) session.fail("Too many parameters", "function-parameters");
+    reader.comma();
+  }
+  if (parameters.empty()) session.fail("At least one function parameter is required!", "function-parameters");
+  return parameters;
+}
+
+class TransformFunction final : public Function {
+ public:
+  explicit TransformFunction(const Transform& transform) : Function(3, 3), transform_(transform) {}
+  void evaluate(const double* a, double* results) const override {
+    const dvec3 p = transform_.point({a[0], a[1], a[2]});
+    results[0] = p.x;
+    results[1] = p.y;
+    results[2] = p.z;
+  }
+
+ private:
+  Transform transform_;
+};
+
+class SplineFunction final : public Function {
+ public:
+  explicit SplineFunction(SplinePtr spline) : Function(1, spline->components), spline_(std::move(spline)) {}
+  void evaluate(const double* a, double* results) const override {
+    const Spline::Point value = spline_->evaluate(a[0]);
+    std::copy_n(value.begin(), result_count(), results);
+  }
+
+ private:
+  SplinePtr spline_;
+};
+
+TextureFunctions& texture_functions(Session& session) {
+  TextureFunctions* const functions = session.options.texture_functions;
+  if (functions == nullptr) session.fail("Pigment and pattern functions need the engine, which is not connected.", "no-textures");
+  return *functions;
+}
+
+template <class T>
+T statement_value(Session& session, Word word) {
+  const auto found = session.declare_values.find(word);
+  if (found == session.declare_values.end()) session.fail_expected("sign or operand", session.stream.peek());
+  const Value value = found->second(session.reader);
+  const T* const result = value.get_if<T>();
+  if (result == nullptr) session.fail("This cannot be used as a function.", "function-body");
+  return *result;
+}
+
+// The bodies that are no expressions; null if the next token begins none of them.
+FunctionPtr parse_special_body(Session& session) {
+  const Word word = session.reader.word();
+  const int noise_generator = session.scene.settings.noise_generator;
+  switch (word) {
+    case Word::kPattern: {
+      const PigmentPtr pigment = statement_value<PigmentPtr>(session, word);
+      return texture_functions(session).pattern_function(pigment->body, noise_generator);
+    }
+    case Word::kPigment:
+      return texture_functions(session).pigment_function(statement_value<PigmentPtr>(session, word), noise_generator);
+    case Word::kTransform: return std::make_shared<TransformFunction>(*statement_value<TransformPtr>(session, word));
+    case Word::kSpline:
+      session.stream.take();
+      return std::make_shared<SplineFunction>(parse_spline(session));
+    case Word::kInternal: {
+      session.stream.take();
+      session.reader.expect(TokenKind::kLeftParen);
+      const int index = session.reader.integer();
+      session.reader.expect(TokenKind::kRightParen);
+      FunctionPtr function = internal_function(index, noise_generator);
+      if (!function) session.fail("Function 'internal(" + std::to_string(index) + ")' does not exist.", "internal-function");
+      return function;
+    }
+    default: return nullptr;
+  }
+}
+
+}  // namespace
+
+FunctionPtr parse_function(Session& session, bool parameters_allowed) {
+  const TokenStream::AfterOperand allowed(session.stream, true);
+  const ExpressionState::Interruption interruption(session.expressions);
+  FunctionScope scope{session, {}, {}, {}};
+  const bool listed = parameters_allowed && session.reader.at(TokenKind::kLeftParen);
+  if (listed) {
+    scope.parameters = parse_parameters(session);
+  } else {
+    for (const Word word : {Word::kX, Word::kY, Word::kZ}) scope.parameters.push_back({0, word});
+  }
+  session.reader.open(Word::kFunction);
+  const Word first = session.reader.word();
+  FunctionPtr function = parse_special_body(session);
+  if (function && listed && first != Word::kInternal) {
+    session.fail("Function parameters for " + std::string(spelling(first)) + " functions are not allowed.", "function-parameters");
+  }
+  if (!function) {
+    try {
+      const Node root = parse_expression(scope);
+      // What can follow an operand: the reference names it so.
+      if (!session.reader.at(TokenKind::kRightBrace)) session.fail_expected("operator", session.stream.peek());
+      function = scope.builder.finish(root, static_cast<int>(scope.parameters.size()));
+    } catch (const ConstantDomainError& error) {
+      session.fail(error.message, "domain");
+    }
+  }
+  session.reader.close(Word::kFunction);
+  return function;
+}
+
+}  // namespace lute

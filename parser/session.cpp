@@ -1,0 +1,137 @@
+#include "parser/session.hpp"
+
+#include <array>
+
+#include "parser/expression/expression.hpp"
+
+namespace lute {
+
+Session::Session(const ParseOptions& parse_options)
+    : options(parse_options),
+      diagnostics(parse_options.on_diagnostic),
+      reader(*this),
+      stream(*this),
+      declare_values(make_declare_values()),
+      statements(make_statement_state()) {}
+
+Session::~Session() = default;
+
+SourceLocation Session::locate(std::uint32_t file, const Token* token) const {
+  if (token == nullptr || file >= files.size()) return {};
+  return files[file]->locate(token->offset);
+}
+
+Diagnostic Session::diagnose(Severity severity, std::string code, std::string message, std::uint32_t file, const Token* token) {
+  Diagnostic d;
+  d.severity = severity;
+  d.code = std::move(code);
+  for (char& c : message) c = c == '\n' ? ' ' : c;
+  d.message = std::move(message);
+  if (token == nullptr || file >= files.size()) {
+    d.file = options.input_file;
+    return d;
+  }
+  const SourceFile& source = *files[file];
+  d.file = source.name;
+  d.where = source.locate(token->offset);
+  d.end_column = d.where.column + token_end(source, *token) - token->offset;
+  d.excerpt = std::string(source.line(d.where.line));
+  // The way to the place: from the innermost frame out.
+  constexpr std::size_t kMostNotes = 20;
+  for (std::size_t i = stream.frames.size(); i-- > 1 && d.chain.size() < kMostNotes;) {
+    const Frame& frame = stream.frames[i];
+    const Frame& caller = stream.frames[i - 1];
+    // The caller's cursor is behind the call's closing parenthesis, or behind the name of the include file.
+    const Token* call = caller.cursor == caller.file->tokens.data() ? caller.cursor : caller.cursor - 1;
+    if (frame.macro) {
+      while (call > caller.file->tokens.data() && !(call->kind == TokenKind::kName && call->index == frame.macro->name)) --call;
+    }
+    DiagnosticNote note;
+    note.text = frame.macro ? "in macro '" + std::string(names.text(frame.macro->name)) + "', called from" : "included from";
+    note.file = caller.file->name;
+    note.where = caller.file->locate(call->offset);
+    d.chain.push_back(std::move(note));
+  }
+  return d;
+}
+
+void Session::report_fatal(Diagnostic diagnostic) { throw SceneError(std::move(diagnostic)); }
+
+void Session::fail(std::string message, std::string code) {
+  report_fatal(diagnose(Severity::kError, std::move(code), std::move(message), stream.last_file, stream.last_token));
+}
+
+void Session::fail_at(std::string message, std::string code, const Item& item) {
+  report_fatal(diagnose(Severity::kError, std::move(code), std::move(message), item.file, item.source));
+}
+
+void Session::fail_after(std::string message, std::string code) {
+  Diagnostic d = diagnose(Severity::kError, std::move(code), std::move(message), stream.last_file, stream.last_token);
+  d.where.column = d.end_column;
+  d.end_column = d.where.column + 1;
+  report_fatal(std::move(d));
+}
+
+void Session::fail_expected(std::string_view what, const Item& found) {
+  Diagnostic d = diagnose(Severity::kError, "expected-token",
+                          "Expected '" + std::string(what) + "', " + printed_name(*this, found) + " found instead", found.file,
+                          found.source);
+  d.hint = suggestion(found);
+  report_fatal(std::move(d));
+}
+
+void Session::warn(std::string message, std::string code) {
+  diagnostics.report(diagnose(Severity::kWarning, std::move(code), std::move(message), stream.last_file, stream.last_token));
+}
+
+void Session::possible_error(std::string message, std::string code) {
+  diagnostics.report(diagnose(Severity::kPossibleError, std::move(code), std::move(message), stream.last_file, stream.last_token));
+}
+
+std::string Session::suggestion(const Item& found) {
+  if (!found.is(TokenKind::kName)) return "";
+  std::vector<std::string_view> candidates;
+  for (int i = 1; i < static_cast<int>(Word::kWordListEnd); ++i) candidates.push_back(spelling(static_cast<Word>(i)));
+  symbols.for_each_name([&](NameId name) { candidates.push_back(names.text(name)); });
+  const std::string_view nearest = nearest_name(names.text(found.token.index), candidates);
+  return nearest.empty() ? "" : "did you mean '" + std::string(nearest) + "'?";
+}
+
+namespace {
+
+std::string word_name(Word word) {
+  const std::string text(spelling(word));
+  switch (word) {
+    case Word::kX: case Word::kY: case Word::kZ: case Word::kVcross: case Word::kVnormalize: case Word::kVrotate:
+    case Word::kVaxisRotate: case Word::kVturbulence: case Word::kTrace: case Word::kMinExtent: case Word::kMaxExtent:
+      return "vector function '" + text + "'";
+    case Word::kRgb: case Word::kRgbf: case Word::kRgbt: case Word::kRgbft: case Word::kSrgb: case Word::kSrgbf:
+    case Word::kSrgbt: case Word::kSrgbft: case Word::kRed: case Word::kGreen: case Word::kBlue: case Word::kFilter:
+    case Word::kTransmit: case Word::kAlpha: case Word::kGray: return "color keyword '" + text + "'";
+    default: break;
+  }
+  Item item;
+  item.token.kind = TokenKind::kWord;
+  item.token.word = word;
+  return starts_number(item) ? "float function '" + text + "'" : text;
+}
+
+}  // namespace
+
+std::string printed_name(const Session& session, const Item& item) {
+  switch (item.token.kind) {
+    case TokenKind::kName: return "undeclared identifier '" + std::string(session.names.text(item.token.index)) + "'";
+    case TokenKind::kWord: return word_name(item.token.word);
+    case TokenKind::kNumber: return "float function 'float constant'";
+    case TokenKind::kIdentifier: {
+      if (item.slot->empty()) return "empty array";
+      const std::string_view type = type_name(*item.slot);
+      if (type == "float identifier") return "float function 'float identifier'";
+      return std::string(type);
+    }
+    case TokenKind::kOther: return std::string(1, static_cast<char>(item.token.index));
+    default: return std::string(name_of(item.token.kind));
+  }
+}
+
+}  // namespace lute

@@ -1,8 +1,11 @@
 // All solids of a scene, ready for rays. Unbounded solids stand in a list of their own and are asked first; the others
-// are in a Bvh. Of hits at exactly equal depth the unbounded solid wins, then the one declared first (specification
-// chapter 20 §2.3).
+// are in a Bvh.
+//
+// Of hits at exactly equal depth, that on a solid which the reference calls infinite wins (its box is unbounded or
+// larger than 2e10 cubic units), then the one declared first (specification chapter 20 §1, §2.3).
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -26,8 +29,13 @@ class SceneTree {
   bool any_opaque(const Ray& ray, Interval range, Counters& counters) const;
 
  private:
-  std::vector<const Solid*> unbounded_, bounded_;  // bounded_ in the order of the tree's leaves
-  std::vector<std::uint32_t> scene_index_;         // of bounded_
+  struct Entry {
+    const Solid* solid;
+    std::uint32_t rank;  // of hits at equal depth the lowest wins
+  };
+  struct Best;
+
+  std::vector<Entry> unbounded_, bounded_;  // bounded_ in the order of the tree's leaves
   Bvh bvh_;
 };
 

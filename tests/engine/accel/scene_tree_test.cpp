@@ -1,10 +1,12 @@
 #include "engine/accel/scene_tree.hpp"
 
-#include <random>
-
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "engine/csg/leaf_solid.hpp"
+#include "engine/shape/box.hpp"
+#include "engine/shape/plane.hpp"
 #include "engine/shape/sphere.hpp"
 
 namespace lute {
@@ -94,6 +96,48 @@ TEST(SceneTree, AxisParallelRaysWithNegativeZeroMeetTheirBoxes) {
   Hit hit;
   EXPECT_TRUE(tree.nearest({{5, 0, -5}, {-0.0, 0.0, 1}}, {1e-4, 1e7}, RayKind(), hit, counters));
   EXPECT_FALSE(tree.nearest({{3.75, 0.9, -5}, {-0.0, -0.0, 1}}, {1e-4, 1e7}, RayKind(), hit, counters));
+}
+
+std::unique_ptr<Solid> box(const dvec3& lo, const dvec3& hi) {
+  NoSharing context;
+  auto leaf = std::make_unique<Leaf>();
+  leaf->shape = build(Box{lo, hi}, Transform(), context);
+  return std::make_unique<LeafSolid>(std::move(leaf));
+}
+
+// Specification chapter 20 §1: a box of more than 2e10 cubic units counts as infinite, and infinite solids come first.
+TEST(SceneTree, SolidsOfHugeVolumeWinTiesLikeUnboundedOnes) {
+  for (const double side : {1e3, 1e5}) {
+    const auto small = box({-1, -1, 0}, {1, 1, 1}), large = box({-side, -side, 0}, {side, side, side});
+    const std::vector<const Solid*> solids{small.get(), large.get()};
+    const SceneTree tree(solids);
+    Counters counters;
+    Hit hit;
+    ASSERT_TRUE(tree.nearest({{0, 0, -5}, {0, 0, 1}}, {1e-4, 1e7}, RayKind(), hit, counters));
+    std::vector<const Leaf*> leaves;
+    (side > 1e4 ? large : small)->leaves(leaves);
+    EXPECT_EQ(hit.leaf, leaves[0]) << side;
+  }
+}
+
+TEST(SceneTree, UnboundedSolidsAreFoundBehindAndBeforeTheOthers) {
+  NoSharing context;
+  auto leaf = std::make_unique<Leaf>();
+  leaf->shape = build(Plane{}, Transform::translate({0, -1, 0}), context);
+  const Leaf* ground = leaf.get();
+  const LeafSolid plane(std::move(leaf));
+  Spheres spheres;
+  for (int i = 0; i < 20; ++i) spheres.add({2.5 * i, 0, 0}, 1);
+  spheres.solids.push_back(&plane);
+  const SceneTree tree(spheres.solids);
+  Counters counters;
+  Hit hit;
+  ASSERT_TRUE(tree.nearest({{1.25, 5, 0}, {0, -1, 0}}, {1e-4, 1e7}, RayKind(), hit, counters));
+  EXPECT_EQ(hit.leaf, ground);
+  ASSERT_TRUE(tree.nearest({{2.5, 5, 0}, {0, -1, 0}}, {1e-4, 1e7}, RayKind(), hit, counters));
+  EXPECT_EQ(hit.t, 4);
+  ASSERT_TRUE(tree.nearest({{2.5, -5, 0}, {0, 1, 0}}, {1e-4, 1e7}, RayKind(), hit, counters));
+  EXPECT_EQ(hit.leaf, ground);
 }
 
 TEST(SceneTree, EmptySceneHasNoHits) {

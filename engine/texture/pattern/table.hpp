@@ -32,6 +32,7 @@
 #include "engine/texture/pattern/material_map.hpp"
 #include "engine/texture/pattern/object_pattern.hpp"
 #include "engine/texture/pattern/onion.hpp"
+#include "engine/texture/pattern/pavement.hpp"
 #include "engine/texture/pattern/pigment_pattern.hpp"
 #include "engine/texture/pattern/planar.hpp"
 #include "engine/texture/pattern/quilted.hpp"
@@ -43,6 +44,7 @@
 #include "engine/texture/pattern/spiral2.hpp"
 #include "engine/texture/pattern/spotted.hpp"
 #include "engine/texture/pattern/square.hpp"
+#include "engine/texture/pattern/tiling.hpp"
 #include "engine/texture/pattern/triangular.hpp"
 #include "engine/texture/pattern/waves.hpp"
 #include "engine/texture/pattern/wood.hpp"
@@ -80,6 +82,7 @@ using AnyPattern = std::variant<  //
     MaterialMap,                  //
     ObjectPattern,                //
     Onion,                        //
+    Pavement,                     //
     PigmentPattern,               //
     Planar,                       //
     Quilted,                      //
@@ -91,6 +94,7 @@ using AnyPattern = std::variant<  //
     Spiral2,                      //
     Spotted,                      //
     Square,                       //
+    Tiling,                       //
     Triangular,                   //
     Waves,                        //
     Wood,                         //

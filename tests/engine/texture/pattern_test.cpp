@@ -1,25 +1,14 @@
 #include <gtest/gtest.h>
 
-#include "engine/texture/texture_compiler.hpp"
+#include "pattern_value.hpp"
 
 namespace lute {
 namespace {
 
 const dvec3 kP1{0.25, 0.5, 0.75}, kP2{-1.3, 2.7, 0.4}, kP3{17.1, -5.6, 33.3};
 
-template <class Pattern>
-PatternBody body_of(const Pattern& pattern) {
-  PatternBody body;
-  body.pattern = AnyPattern(pattern);
-  body.frequency = Pattern::kFrequency;
-  body.wave = Pattern::kWave;
-  return body;
-}
-
 void expect_values(const PatternBody& body, double at1, double at2, double at3) {
-  TextureCompiler compiler{TextureSettings()};
-  const CompiledPattern pattern(body, compiler);
-  const auto at = [&](const dvec3& p) { return pattern.value(pattern.warp(p), SurfaceContext()); };
+  const auto at = [&](const dvec3& p) { return value_at(body, p); };
   EXPECT_NEAR(at(kP1), at1, 1e-11);
   EXPECT_NEAR(at(kP2), at2, 1e-11);
   EXPECT_NEAR(at(kP3), at3, 1e-11);
@@ -81,6 +70,115 @@ TEST(Pattern, TurbulenceActsLastOrInsideTheFormula) {
   Gradient gradient;
   gradient.direction = {1, 0, 0};
   expect_values(with_turbulence(body_of(gradient), dvec3(1)), 0.344708737646, 0.034766250434, 0.866122787610);
+}
+
+TEST(Pattern, AgateTurbulenceActsTwice) {
+  Agate agate;
+  agate.turbulence = 0.5f;
+  const PatternBody body = with_turbulence(body_of(agate), dvec3(0.2));
+  EXPECT_NEAR(value_at(body, kP1), 0.421967207801, 1e-11);
+  EXPECT_NEAR(value_at(body, kP2), 0.969902569209, 1e-11);
+}
+
+TEST(Pattern, FirstNoiseGeneratorMakesAnotherGranite) {
+  PatternBody body = body_of(Granite());
+  body.noise_generator = 1;
+  expect_values(body, 0.480709718750, 0.574109405774, 0.269540631342);
+}
+
+// gradient x scale 2 turbulence 0.3 octaves 3 lambda 2.5 omega 0.4 rotate 30*y
+TEST(Pattern, TransformationsComeBeforeClassicTurbulence) {
+  Gradient gradient;
+  gradient.direction = {1, 0, 0};
+  PatternBody body = body_of(gradient);
+  ClassicTurbulence turbulence;
+  turbulence.amount = dvec3(0.3);
+  turbulence.octaves = 3;
+  turbulence.lambda = 2.5f;
+  turbulence.omega = 0.4f;
+  body.warps.push_back(turbulence);
+  prepend_transform(body.warps, Transform::scale(dvec3(2)));
+  prepend_transform(body.warps, Transform::rotate({0, 30, 0}));
+  EXPECT_NEAR(value_at(body, kP1), 0.867310822254, 1e-11);
+  EXPECT_NEAR(value_at(body, kP2), 0.325323507209, 1e-11);
+}
+
+TEST(Pattern, ScaledSpottedOfGeneratorThree) {
+  PatternBody body = body_of(Spotted());
+  body.noise_generator = 3;
+  prepend_transform(body.warps, Transform::scale(dvec3(0.3)));
+  EXPECT_NEAR(value_at(body, kP1), 0.487840413723, 1e-11);
+  EXPECT_NEAR(value_at(body, kP2), 0.325874023452, 1e-11);
+}
+
+TEST(Pattern, FrequencyMultipliesRadial) {
+  PatternBody body = body_of(Radial());
+  body.frequency = 6;
+  EXPECT_NEAR(value_at(body, kP1), 0.807209147049, 1e-11);
+  EXPECT_NEAR(value_at(body, kP2), 0.285015482818, 1e-11);
+}
+
+// Specification chapter 50 §16 B.
+TEST(Pattern, FractalsEqualTheReference) {
+  Mandel mandel;
+  mandel.iterations = 25;
+  EXPECT_NEAR(value_at(body_of(mandel), {0.5, 0.5, 0}), 0.12, 1e-11);
+  EXPECT_NEAR(value_at(body_of(mandel), {-0.75, 0.3, 0}), 0.36, 1e-11);
+  EXPECT_NEAR(value_at(body_of(mandel), {0.1, 0.1, 0}), 1, 1e-11);
+  Julia julia;
+  julia.c = {0.353, 0.288};
+  julia.iterations = 30;
+  julia.exponent = 3;
+  julia.exterior_type = 6;
+  julia.exterior_factor = 0.1;
+  EXPECT_NEAR(value_at(body_of(julia), {0.9, 0.9, 0}), 0.206628676616, 1e-11);
+  Magnet magnet;
+  magnet.type = 2;
+  magnet.julia = dvec2(0.2, 0.3);
+  magnet.iterations = 20;
+  magnet.interior_type = 6;
+  magnet.interior_factor = 0.5;
+  EXPECT_NEAR(value_at(body_of(magnet), {0.3, 0.4, 0}), 0.310569642390, 1e-11);
+}
+
+TEST(Pattern, QuiltedControlsAndNegativeIntegers) {
+  Quilted quilted;
+  quilted.control0 = 0.2f;
+  quilted.control1 = 0.7f;
+  EXPECT_NEAR(value_at(body_of(quilted), kP1), 0.058222877461, 1e-11);
+  EXPECT_NEAR(value_at(body_of(quilted), {-1, 0.5, 0.75}), 0.152799728741, 1e-11);
+}
+
+TEST(Pattern, ListPatternsAtChosenPoints) {
+  EXPECT_EQ(value_at(body_of(Hexagon()), {0.9, 0, 0.3}), 2);
+  EXPECT_EQ(value_at(body_of(Hexagon()), {-2.2, 0, -1.1}), 1);
+  EXPECT_EQ(value_at(body_of(Cubic()), {-1, 0.2, 0.9}), 3);
+}
+
+TEST(Pattern, WavesShapeTheValue) {
+  Gradient gradient;
+  gradient.direction = {1, 0, 0};
+  PatternBody body = body_of(gradient);
+  body.wave = Wave::kSine;
+  EXPECT_NEAR(value_at(body, {0.3, 0, 0}), 0.975528258148, 1e-11);
+  EXPECT_NEAR(value_at(body, {-0.3, 0, 0}), 0.024471741852, 1e-11);
+  body.wave = Wave::kPoly;
+  body.wave_exponent = 3;
+  EXPECT_NEAR(value_at(body, {0.3, 0, 0}), 0.027, 1e-11);
+}
+
+// Chapter 50 §6.7: no surface, no slope and no angle of incidence.
+TEST(Pattern, SlopeAndAoiNeedASurface) {
+  EXPECT_EQ(value_at(body_of(Slope()), kP1), 0);
+  EXPECT_EQ(value_at(body_of(Aoi()), kP1), 0);
+  SurfaceContext surface;
+  surface.has_surface = true;
+  surface.normal = {0, 1, 0};
+  surface.ray_direction = {0, -1, 0};
+  EXPECT_NEAR(value_at(body_of(Aoi()), kP1, surface), 1, 1e-11);
+  EXPECT_NEAR(value_at(body_of(Slope()), kP1, surface), 1 - 1e-10, 1e-14);
+  surface.normal = {1, 0, 0};
+  EXPECT_NEAR(value_at(body_of(Slope()), kP1, surface), 0.5, 1e-11);
 }
 
 }  // namespace

@@ -1,0 +1,9 @@
+// facets: flat faces, a normal only.
+// lute scenes/feature/pattern/facets.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { orthographic location -10*z look_at 0 right 4*x up 3*y }
+light_source { <-4, 6, -8> rgb 1 }
+#default { finish { ambient 0.2 diffuse 0.8 } }
+
+plane { z, 0 pigment { rgb <0.9, 0.8, 0.5> } normal { facets coords 0.6 size 0.4 } finish { diffuse 0.7 specular 0.6 roughness 0.02 } }

@@ -1,0 +1,9 @@
+// mandel: the default colours, and exponent 3 beside it.
+// lute scenes/feature/pattern/mandel.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { orthographic location -10*z look_at 0 right 4*x up 3*y }
+light_source { <-4, 6, -8> rgb 1 }
+#default { finish { ambient 0.2 diffuse 0.8 } }
+
+plane { z, 0 pigment { gradient x pigment_map { [0.5 mandel 40 scale 0.9 translate -0.6*x] [0.5 mandel 40 exponent 3 color_map { [0 rgb 0] [1 rgb 1] } translate 1*x] } scale 4 translate -2*x } }

@@ -1,0 +1,9 @@
+// object: one colour inside of an object, another outside.
+// lute scenes/feature/pattern/object.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { orthographic location -10*z look_at 0 right 4*x up 3*y }
+light_source { <-4, 6, -8> rgb 1 }
+#default { finish { ambient 0.2 diffuse 0.8 } }
+
+plane { z, 0 pigment { object { torus { 1, 0.4 rotate 90*x } rgb <0.2, 0.3, 0.4>, rgb <1, 0.8, 0.3> } } }

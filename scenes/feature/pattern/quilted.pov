@@ -1,0 +1,9 @@
+// quilted: padded cubes, a normal.
+// lute scenes/feature/pattern/quilted.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { orthographic location -10*z look_at 0 right 4*x up 3*y }
+light_source { <-4, 6, -8> rgb 1 }
+#default { finish { ambient 0.2 diffuse 0.8 } }
+
+plane { z, 0 pigment { rgb <0.4, 0.5, 0.9> } normal { quilted 1 control0 0.3 control1 0.8 scale 0.5 translate 0.1*z } finish { diffuse 0.7 phong 0.6 } }

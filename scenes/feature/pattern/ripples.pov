@@ -1,0 +1,9 @@
+// ripples: ten wave sources, as a normal.
+// lute scenes/feature/pattern/ripples.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { orthographic location -10*z look_at 0 right 4*x up 3*y }
+light_source { <-4, 6, -8> rgb 1 }
+#default { finish { ambient 0.2 diffuse 0.8 } }
+
+plane { z, 0 pigment { rgb <0.2, 0.4, 0.6> } normal { ripples 0.6 frequency 4 scale 2 } finish { diffuse 0.7 phong 0.8 } }

@@ -1,0 +1,9 @@
+// slope: by the direction of the surface.
+// lute scenes/feature/pattern/slope.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { orthographic location -10*z look_at 0 right 4*x up 3*y }
+light_source { <-4, 6, -8> rgb 1 }
+#default { finish { ambient 0.2 diffuse 0.8 } }
+
+plane { z, 0 pigment { slope { y, 0.2, 0.9 } color_map { [0 rgb <0.4, 0.3, 0.2>] [0.5 rgb <0.2, 0.6, 0.1>] [1 rgb 1] } } normal { bumps 1 scale 0.5 } }

@@ -1,0 +1,9 @@
+// spotted: smooth noise without the colours of bozo.
+// lute scenes/feature/pattern/spotted.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { orthographic location -10*z look_at 0 right 4*x up 3*y }
+light_source { <-4, 6, -8> rgb 1 }
+#default { finish { ambient 0.2 diffuse 0.8 } }
+
+plane { z, 0 pigment { spotted color_map { [0.4 rgb <0.9, 0.8, 0.6>] [0.45 rgb <0.3, 0.15, 0.1>] } scale 0.3 } }

@@ -47,7 +47,8 @@ void write_picture(const Picture& picture, const std::filesystem::path& path) {
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(path.string());
   if (!output) throw std::runtime_error("cannot write " + path.string() + ": " + OIIO::geterror());
-  OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+  const bool integer = path.extension() != ".exr";
+  OIIO::ImageSpec spec(picture.width, picture.height, 3, integer ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
   constexpr OIIO::stride_t kPixelStride = Picture::kChannels * sizeof(float);
   const bool written = output->open(path.string(), spec) &&
                        output->write_image(OIIO::TypeDesc::FLOAT, picture.values.data(), kPixelStride) &&

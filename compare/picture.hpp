@@ -33,7 +33,7 @@ struct Picture {
 
 Picture read_picture(const std::filesystem::path& path);
 
-// 8 bits a channel for PNG; the extension chooses the format.
+// The colours; the extension chooses the format: single-precision values as they are for .exr, else 8 bits a channel.
 void write_picture(const Picture& picture, const std::filesystem::path& path);
 
 }  // namespace lute::compare

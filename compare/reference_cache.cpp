@@ -79,7 +79,7 @@ fs::path ReferenceCache::default_folder() {
 ReferenceResult ReferenceCache::get(const fs::path& scene, const RenderSettings& settings, bool measure_again) const {
   const std::string key = scene_hash(scene, settings.picture_switches(), version_);
   const fs::path record = folder_ / key.substr(0, 2) / (key + ".json");
-  const fs::path picture = folder_ / key.substr(0, 2) / (key + ".png");
+  const fs::path picture = folder_ / key.substr(0, 2) / (key + settings.extension());
   if (!measure_again) {
     if (const auto cached = read_entry(record, picture, settings.time_limit)) return *cached;
   }

@@ -39,7 +39,7 @@ RenderOutcome outcome_of(const ProcessResult& process, const fs::path& picture) 
 std::vector<std::string> RenderSettings::picture_switches() const {
   std::vector<std::string> all = {"+W" + std::to_string(width), "+H" + std::to_string(height)};
   all.insert(all.end(), switches.begin(), switches.end());
-  all.push_back("+FN8");
+  all.push_back("+F" + file_type);
   return all;
 }
 
@@ -64,14 +64,11 @@ RenderRun render(const std::string& program, const fs::path& scene, const fs::pa
   const fs::path folder = fs::absolute(scene).parent_path();
   const ScratchFolder scratch(folder);
   const ScratchFolder output;
+  const fs::path rendered = output.path() / ("picture" + settings.extension());
 
   ProcessRequest request;
-  request.arguments = {program,
-                       "+I" + scene.filename().string(),
-                       "+L" + folder.string(),
-                       "+O" + (output.path() / "picture.png").string(),
-                       "-D",
-                       "-P"};
+  request.arguments = {
+      program, "+I" + scene.filename().string(), "+L" + folder.string(), "+O" + rendered.string(), "-D", "-P"};
   for (const std::string& item : settings.picture_switches()) request.arguments.push_back(item);
   request.working_directory = scratch.path();
   request.standard_error = output.path() / "messages";
@@ -81,10 +78,10 @@ RenderRun render(const std::string& program, const fs::path& scene, const fs::pa
   RenderRun run;
   run.process = run_process(request);
   run.messages = end_of_file(request.standard_error);
-  run.outcome = outcome_of(run.process, output.path() / "picture.png");
+  run.outcome = outcome_of(run.process, rendered);
   if (run.outcome == RenderOutcome::kRendered) {
     if (picture.has_parent_path()) fs::create_directories(picture.parent_path());
-    fs::copy_file(output.path() / "picture.png", picture, fs::copy_options::overwrite_existing);
+    fs::copy_file(rendered, picture, fs::copy_options::overwrite_existing);
     run.picture = picture;
   }
   return run;

@@ -14,11 +14,13 @@ struct RenderSettings {
   int width = 160;
   int height = 120;
   std::vector<std::string> switches = {"-A", "+WT1"};    // besides size, input and output
+  std::string file_type = "N8";                          // of the output: N8 (PNG) or E (OpenEXR, linear, not clamped)
   double time_limit = 60;                                // seconds of wall time
   std::uint64_t memory_limit = std::uint64_t{12} << 30;  // bytes of address space
 
   // All switches that decide the picture, as given to both programs.
   std::vector<std::string> picture_switches() const;
+  std::string extension() const { return file_type == "E" ? ".exr" : ".png"; }
 };
 
 enum class RenderOutcome { kRendered, kRejected, kTimedOut, kCrashed, kNotStarted };
@@ -32,7 +34,7 @@ struct RenderRun {
   std::string messages;           // the end of what it wrote to standard error
 };
 
-// Renders `scene` to `picture` (PNG) in a scratch copy of the scene's folder.
+// Renders `scene` to `picture` in a scratch copy of the scene's folder.
 RenderRun render(const std::string& program, const std::filesystem::path& scene, const std::filesystem::path& picture,
                  const RenderSettings& settings);
 

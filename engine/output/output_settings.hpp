@@ -17,8 +17,8 @@ struct OutputSettings {
   bool alpha = false;      // ignored where the format has none
   bool greyscale = false;  // PNG (16 bits) and PPM (becomes PGM)
   DitherMethod dither = DitherMethod::kNone;  // not for JPEG, OpenEXR, Radiance
-  GammaCurve file_gamma;                      // default sRGB
-  GammaCurve display_gamma;                   // counts only where a scene does not handle gamma
+  GammaCurve file_gamma{};                    // default sRGB
+  GammaCurve display_gamma{};                 // counts only where a scene does not handle gamma
   int compression = 0;                        // JPEG quality 2...100; 0 or 1: 85
 };
 

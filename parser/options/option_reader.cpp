@@ -81,7 +81,6 @@ class Reader {
       }
     }
     if (const auto path = environment_.variable("POVINC")) assign("Library_Path", *path);
-    assign("Library_Path", std::string(kBuiltInLibrary));
   }
 
   void read_arguments(std::span<const std::string> arguments) {
@@ -95,6 +94,7 @@ class Reader {
   }
 
   RenderOptions take() {
+    assign("Library_Path", std::string(kBuiltInLibrary));
     if (!options_.antialias) options_.antialiasing.method = 0;
     return std::move(options_);
   }

@@ -1,17 +1,43 @@
-# Thin: each target installs what is missing, builds, runs.
-.PHONY: bench build test
+# Thin: each target installs what is missing, builds, runs. A second run does nothing twice.
+.PHONY: build render test conformance report bench setup setup-test setup-bench
 
-build:
-	tools/setup
-	cmake --preset release >/dev/null
-	cmake --build build
+build: build/build.ninja
+	@cmake --build build
 
-test: build
-	ctest --test-dir build --output-on-failure -j 2
+# Renders the showcase scene and says where the picture is.
+render: build/build.ninja
+	@cmake --build build --target lute
+	@$(MAKE) -s render/lute.png
+	@echo "picture: $(CURDIR)/render/lute.png"
 
-# Needs Google Benchmark and Embree 3 (Debian: libbenchmark-dev, libembree-dev).
-bench:
-	tools/setup
-	cmake --preset release -DLUTE_BUILD_BENCH=ON >/dev/null
-	cmake --build build --target lute-bench-accel
-	build/bin/lute-bench-accel --benchmark_min_time=1
+render/lute.png: build/bin/lute scenes/showcase/lute.pov
+	@mkdir -p render
+	@build/bin/lute scenes/showcase/lute.pov --width 900 --height 600 --antialias 0.2 --output $@
+
+test: setup-test build
+	@ctest --test-dir build --output-on-failure -j 2
+
+# Only what compares with POV-Ray.
+conformance: setup-test build
+	@ctest --test-dir build --output-on-failure -L conformance
+
+# Both programs on our scenes, side by side: report/report.html.
+report: setup-test build
+	@build/bin/lute-compare run scenes/lecture scenes/showcase --output report
+
+bench: setup-bench build/build.ninja
+	@cmake --preset release -DLUTE_BUILD_BENCH=ON >/dev/null
+	@cmake --build build --target lute-bench-accel
+	@build/bin/lute-bench-accel --benchmark_min_time=1
+
+build/build.ninja: | setup
+	@cmake --preset release >/dev/null
+
+setup:
+	@tools/setup
+
+setup-test:
+	@tools/setup test
+
+setup-bench:
+	@tools/setup bench

@@ -1,0 +1,134 @@
+#include "app/frame_job.hpp"
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+#include <thread>
+
+#include "app/interrupt.hpp"
+#include "app/progress.hpp"
+#include "engine/build/geometry_answers.hpp"
+#include "engine/output/atomic_file.hpp"
+#include "engine/output/write_image.hpp"
+#include "engine/plan/render_plan.hpp"
+#include "engine/render/render.hpp"
+#include "engine/render/scene_view.hpp"
+#include "engine/texture/texture_functions.hpp"
+
+namespace lute {
+namespace {
+
+int thread_count(const RenderOptions& options) {
+  if (options.threads > 0) return options.threads;
+  const unsigned processors = std::thread::hardware_concurrency();
+  return processors == 0 ? 1 : static_cast<int>(processors);
+}
+
+RenderSettings render_settings(const RenderOptions& options, const Scene& scene) {
+  RenderSettings settings;
+  settings.area = area_of(options.partial, options.width, options.height);
+  settings.block_size = options.block_size;
+  settings.threads = thread_count(options);
+  settings.antialiasing = options.antialiasing;
+  settings.gamma_mode = scene.settings.gamma_mode;
+  settings.assumed_gamma = scene.settings.assumed_gamma;
+  return settings;
+}
+
+bool rendered_before(const std::string& path) {
+  std::error_code ignored;
+  return path != "-" && std::filesystem::is_regular_file(path, ignored) &&
+         std::filesystem::file_size(path, ignored) > 0;
+}
+
+std::string summary(const RenderOptions& options, const std::string& path, const StageTimes& times) {
+  std::array<char, 120> text;
+  std::snprintf(text.data(), text.size(), ": %d x %d pixels, parse %.2f s, build %.2f s, render %.2f s", options.width,
+                options.height, times.parse, times.build, times.render);
+  return (path == "-" ? "standard output" : path) + text.data();
+}
+
+}  // namespace
+
+BuildOptions build_options(const RenderOptions& options) {
+  BuildOptions build;
+  build.quality = options.quality;
+  build.output_alpha = options.output.alpha;
+  build.bounding_threshold = options.bounding_threshold;
+  build.remove_bounds = options.remove_bounds;
+  build.split_unions = options.split_unions;
+  return build;
+}
+
+ParseResult parse_frame(const RenderOptions& options, const Frame& frame, const std::optional<std::string>& text,
+                        Console& console) {
+  GeometryAnswers geometry;
+  CompiledTextureFunctions texture_functions;
+  ParseOptions parse;
+  parse.input_file = options.input_file;
+  parse.input_text = text;
+  parse.library_paths = options.library_paths;
+  parse.declares = options.declares;
+  parse.clock = frame.clock;
+  parse.clock_on = frame.clock_on;
+  parse.frame = frame.values;
+  parse.width = options.width;
+  parse.height = options.height;
+  parse.version = options.version;
+  parse.include_header = options.include_header;
+  parse.geometry = &geometry;
+  parse.texture_functions = &texture_functions;
+  parse.on_diagnostic = [&console](const Diagnostic& diagnostic) { console.diagnostic(diagnostic); };
+  parse.on_debug = [&console](std::string_view line) { console.debug(line); };
+  return parse_scene(parse);
+}
+
+ExitCode render_frame(const RenderOptions& options, const Frame& frame, const std::optional<std::string>& text,
+                      Console& console) {
+  const std::string path = output_path(options, frame);
+  if (options.output_to_file) {
+    if (options.continue_trace && rendered_before(path)) {
+      console.line(path + " is rendered already");
+      return ExitCode::kDone;
+    }
+    check_writable(path);
+  }
+  StageTimes times;
+  Stopwatch parse_watch;
+  const ParseResult parsed = parse_frame(options, frame, text, console);
+  times.parse = parse_watch.seconds();
+  if (!parsed.ok) return ExitCode::kFailed;
+
+  Stopwatch build_watch;
+  const BuildOptions build = build_options(options);
+  const std::unique_ptr<BuiltScene> built = build_scene(parsed.scene, build);
+  const RenderPlan plan = make_plan(parsed.scene, build);
+  const Tracer tracer(*built, plan);
+  const SceneView view(parsed.scene.camera, *built->textures, tracer, options.width, options.height);
+  times.build = build_watch.seconds();
+
+  Stopwatch render_watch;
+  const RenderSettings settings = render_settings(options, parsed.scene);
+  Film film(options.width, options.height);
+  const Interrupt::Guard guard;
+  RenderResult result;
+  {
+    Progress progress(options.input_file, options.verbose);
+    result = render(settings, [&view] { return view.make_source(); }, film,
+                    {[&progress](long done, long total) { progress.update(done, total); }, &Interrupt::flag()});
+  }
+  times.render = render_watch.seconds();
+  if (!result.complete) return ExitCode::kInterrupted;
+
+  Stopwatch write_watch;
+  if (options.output_to_file) {
+    write_image(path, film, {settings.gamma_mode, settings.assumed_gamma}, options.output);
+  }
+  times.write = write_watch.seconds();
+  console.line(summary(options, options.output_to_file ? path : "no file", times));
+  if (options.statistics) std::fputs(statistics_text(result.counters, times, settings.area.pixels()).c_str(), stderr);
+  return Interrupt::flag() ? ExitCode::kInterrupted : ExitCode::kDone;
+}
+
+}  // namespace lute

@@ -1,0 +1,28 @@
+// Ctrl-C, SIGTERM and SIGHUP: a render stops at the next block, everything else at once; a file that is being written
+// is finished first. The exit code is then 130.
+#pragma once
+
+#include <atomic>
+
+namespace lute {
+
+constexpr int kInterruptedExit = 130;
+
+class Interrupt {
+ public:
+  static void install();
+
+  // Set by a signal while a Guard is alive.
+  static const std::atomic<bool>& flag();
+
+  // While one is alive a first signal only sets the flag.
+  class Guard {
+   public:
+    Guard();
+    ~Guard();
+    Guard(const Guard&) = delete;
+    Guard& operator=(const Guard&) = delete;
+  };
+};
+
+}  // namespace lute

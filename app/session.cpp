@@ -1,0 +1,85 @@
+#include "app/session.hpp"
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+
+#include "app/interrupt.hpp"
+#include "engine/plan/render_plan.hpp"
+#include "parser/options/option_table.hpp"
+
+namespace lute {
+namespace {
+
+void print(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (!text.empty() && text.back() != '\n') std::fputc('\n', stdout);
+  std::fflush(stdout);
+}
+
+std::string content_of(std::istream& stream) { return std::string(std::istreambuf_iterator<char>(stream), {}); }
+
+std::optional<std::string> standard_input(const RenderOptions& options) {
+  if (options.input_file != "-") return std::nullopt;
+  return content_of(std::cin);
+}
+
+ExitCode dump_scene_tokens(const RenderOptions& options, const std::optional<std::string>& text) {
+  if (text) {
+    print(dump_tokens("-", *text));
+    return ExitCode::kDone;
+  }
+  std::ifstream file(options.input_file, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot open input file '" + options.input_file + "'");
+  print(dump_tokens(options.input_file, content_of(file)));
+  return ExitCode::kDone;
+}
+
+// The actions that only read the scene.
+ExitCode inspect(const RenderOptions& options, const std::optional<std::string>& text, Console& console) {
+  const std::vector<Frame> frames = frames_of(options);
+  const Frame frame = frames.empty() ? Frame{} : frames.front();
+  const ParseResult parsed = parse_frame(options, frame, text, console);
+  if (parsed.ok && options.action == Action::kExplain)
+    print(make_plan(parsed.scene, build_options(options)).text(parsed.scene));
+  console.finish(false);
+  return parsed.ok ? ExitCode::kDone : ExitCode::kFailed;
+}
+
+ExitCode render_all(const RenderOptions& options, const std::optional<std::string>& text, Console& console) {
+  const std::vector<Frame> frames = frames_of(options);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames.size() > 1) console.line("frame " + std::to_string(i + 1) + " of " + std::to_string(frames.size()));
+    const ExitCode code = render_frame(options, frames[i], text, console);
+    if (code != ExitCode::kDone) return code;
+  }
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+ExitCode run_session(const RenderOptions& options) {
+  if (options.action == Action::kHelp) {
+    print(option_help());
+    return ExitCode::kDone;
+  }
+  if (options.action == Action::kVersion) {
+    print("lute " LUTE_VERSION);
+    return ExitCode::kDone;
+  }
+  if (options.input_file.empty())
+    throw OptionError("no scene is given", "lute scene.pov; lute --help lists all options");
+  Console console(options);
+  for (const std::string& notice : options.notices) console.line("note: " + notice);
+  const std::optional<std::string> text = standard_input(options);
+  if (options.action == Action::kDumpTokens) return dump_scene_tokens(options, text);
+  if (options.action != Action::kRender) return inspect(options, text, console);
+  const ExitCode code = render_all(options, text, console);
+  console.finish(options.output_file == "-");
+  if (code == ExitCode::kInterrupted) console.line("interrupted");
+  return code;
+}
+
+}  // namespace lute

@@ -1,0 +1,27 @@
+// The summary of --stats: rays by kind, tests, time by stage.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "engine/accel/counters.hpp"
+
+namespace lute {
+
+// Seconds of each stage of a frame.
+struct StageTimes {
+  double parse = 0, build = 0, render = 0, write = 0;
+};
+
+// Runs from its construction on.
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string statistics_text(const Counters& counters, const StageTimes& times, long pixels);
+
+}  // namespace lute

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/build/geometry_answers.hpp"
 #include "engine/build/scene_builder.hpp"
 
 namespace lute {
@@ -71,6 +72,7 @@ std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const BuildOptions& 
   texture_settings.noise_generator = scene.settings.noise_generator;
   texture_settings.number_of_waves = scene.settings.number_of_waves;
   texture_settings.quick_colors = built->settings.quality <= 5;
+  texture_settings.inside_test = make_inside_test;
   built->textures = std::make_unique<TextureCompiler>(texture_settings);
 
   SceneBuilder builder(*built, options);

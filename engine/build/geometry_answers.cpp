@@ -22,7 +22,7 @@ const GeometryAnswers::Built& GeometryAnswers::built(const ObjectPtr& object) {
     slot->object = object;
     slot->scene.textures = std::make_unique<TextureCompiler>(TextureSettings{});
     SceneBuilder builder(slot->scene, BuildOptions{});
-    builder.add(object);
+    builder.add_geometry(object);
     builder.finish();
   }
   return *slot;
@@ -69,6 +69,34 @@ Aabb GeometryAnswers::extent(const ObjectPtr& object) {
   return box;
 }
 
-std::optional<dvec2> GeometryAnswers::image_size(const PigmentPtr&) { return std::nullopt; }
+std::optional<dvec2> GeometryAnswers::image_size(const PigmentPtr& pigment) {
+  const auto* any = std::get_if<AnyPattern>(&pigment->body.pattern);
+  const auto* image = any != nullptr ? std::get_if<ImageMap>(any) : nullptr;
+  if (image == nullptr) return std::nullopt;
+  return dvec2(image->mapping.image->width(), image->mapping.image->height());
+}
+
+namespace {
+
+// Asked by many threads at once: built when it is made, and only read from then on.
+class ObjectInside final : public InsideTest {
+ public:
+  explicit ObjectInside(const ObjectPtr& object) : object_(object) {
+    scene_.textures = std::make_unique<TextureCompiler>(TextureSettings{});
+    SceneBuilder builder(scene_, BuildOptions{});
+    builder.add_geometry(object);
+  }
+  bool inside(const dvec3& point) const override {
+    return std::ranges::any_of(scene_.solids, [&](const auto& s) { return s->inside_box.contains(point) && s->inside(point); });
+  }
+
+ private:
+  ObjectPtr object_;
+  BuiltScene scene_;
+};
+
+}  // namespace
+
+std::shared_ptr<const InsideTest> make_inside_test(const ObjectPtr& object) { return std::make_shared<ObjectInside>(object); }
 
 }  // namespace lute

@@ -28,4 +28,7 @@ class GeometryAnswers final : public GeometryQuery {
   std::map<const Object*, std::unique_ptr<Built>> objects_;
 };
 
+// For object patterns and functions of them.
+std::shared_ptr<const InsideTest> make_inside_test(const ObjectPtr& object);
+
 }  // namespace lute

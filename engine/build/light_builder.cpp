@@ -11,14 +11,14 @@ int SceneBuilder::open_light_group(int outer) {
 }
 
 void SceneBuilder::add_light(const LightSource& light, const Object&, const Context& own) {
-  if (geometry_of_limits_) return;
+  if (geometry_only_) return;
   auto built = std::make_unique<BuiltLight>(build_light(light, own.to_world, options_.quality >= 5));
   if (light.projected_through != nullptr) {
     Context parent;
     parent.to_world = own.to_world;
-    geometry_of_limits_ = true;
+    geometry_only_ = true;  // lights are not built while it is set, so it was not
     built->projected_through = solid(*light.projected_through, resolve(*light.projected_through, parent), false);
-    geometry_of_limits_ = false;
+    geometry_only_ = false;
   }
   if (own.group_member && own.light_group >= 0)
     built_.light_groups[static_cast<std::size_t>(own.light_group)].lights.push_back(built.get());

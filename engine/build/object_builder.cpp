@@ -38,6 +38,11 @@ void SceneBuilder::add(const ObjectPtr& object) {
   add_top_level(*object, Context{});
 }
 
+void SceneBuilder::add_geometry(const ObjectPtr& object) {
+  geometry_only_ = true;
+  add(object);
+}
+
 void SceneBuilder::add_top_level(const Object& object, const Context& parent) {
   const Context own = resolve(object, parent);
   if (const auto* light = std::get_if<LightSource>(&object.geometry)) {
@@ -75,7 +80,7 @@ std::unique_ptr<Solid> SceneBuilder::leaf(const Object& object, const Context& o
   leaf->interior = own.interior;
   leaf->light_group = own.light_group;
   leaf->global_lights = own.global_lights;
-  if (!geometry_of_limits_) dress(object, own, *leaf);
+  if (!geometry_only_) dress(object, own, *leaf);
 
   Limits limit = limits(object, own);
   const bool box_only = top_level && options_.remove_bounds && !keeps_bounds(shape);
@@ -131,8 +136,8 @@ SceneBuilder::Limits SceneBuilder::limits(const Object& object, const Context& o
   // They are at their place in the space of the object's parent: the object's own transformation does not move them.
   Context parent;
   parent.to_world = own.parent_to_world;
-  const bool outer = geometry_of_limits_;
-  geometry_of_limits_ = true;
+  const bool outer = geometry_only_;
+  geometry_only_ = true;
   std::map<const Object*, std::shared_ptr<const Solid>> built;
   const auto build_all = [&](const std::vector<ObjectPtr>& objects, SharedSolids& out) {
     for (const ObjectPtr& limit : objects) {
@@ -144,7 +149,7 @@ SceneBuilder::Limits SceneBuilder::limits(const Object& object, const Context& o
   };
   build_all(object.clipped_by, result.clips);
   build_all(object.bounded_by, result.bounds);
-  geometry_of_limits_ = outer;
+  geometry_only_ = outer;
   return result;
 }
 

@@ -32,6 +32,9 @@ class SceneBuilder {
   // A top-level object: one solid, several (a union that is dissolved), or none (a light).
   void add(const ObjectPtr& object);
 
+  // The same without looks: for questions about geometry alone.
+  void add_geometry(const ObjectPtr& object);
+
   // After the last object: lights of enclosing groups are handed to the inner ones, the tree is built.
   void finish();
 
@@ -94,7 +97,7 @@ class SceneBuilder {
   SharedForms shared_;
   TexturePtr default_texture_;       // of the statement being built
   std::vector<int> outer_groups_;    // enclosing group of each light group; -1: none
-  bool geometry_of_limits_ = false;  // building clips and bounds: their looks do not matter
+  bool geometry_only_ = false;  // clips, bounds, questions: looks do not matter
 };
 
 // Whether any part of the object has a texture of its own.

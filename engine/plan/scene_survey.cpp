@@ -21,9 +21,10 @@ bool certainly_opaque(const Pigment& p) {
   if (const auto* pigments = std::get_if<PigmentMap>(&p.map))
     return std::ranges::all_of(pigments->entries, [](const auto& e) { return certainly_opaque(*e.value); });
   if (std::holds_alternative<NoPattern>(p.body.pattern)) return true;
-  // The colours are those of the pattern itself: of an image, or the default map.
+  if (const auto* any = std::get_if<AnyPattern>(&p.body.pattern))
+    if (const auto* image = std::get_if<ImageMap>(any)) return !image->mapping.once && is_opaque(*image);
   const auto& entries = default_color_map(p.body).entries;
-  return !entries.empty() && std::ranges::none_of(entries, [](const auto& e) { return lets_through(e.value); });
+  return std::ranges::none_of(entries, [](const auto& e) { return lets_through(e.value); });
 }
 
 bool certainly_opaque(const Texture& t) {

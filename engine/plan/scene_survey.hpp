@@ -42,7 +42,7 @@ class SceneSurvey {
   std::set<const void*> visited_;
 };
 
-// True if no colour of the pigment lets light through; colours of images are not known and count as translucent.
+// True if no colour of the pigment lets light through, and it is everywhere: an image shown once is not.
 bool certainly_opaque(const Pigment& p);
 bool certainly_opaque(const Texture& t);
 

@@ -32,6 +32,7 @@ void Shader::face_ray(const Hit& hit, const Ray& ray, bool wants_uv, SurfaceCont
   if (leaf.inverted) normal = -normal;
   from_inside = glm::dot(normal, ray.direction) > 0;
   if (from_inside) normal = -normal;
+  context.point = hit.point;
   context.raw_normal = normal;
   context.normal = normal;
   context.ray_direction = ray.direction;

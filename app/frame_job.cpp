@@ -64,7 +64,7 @@ BuildOptions build_options(const RenderOptions& options) {
 ParseResult parse_frame(const RenderOptions& options, const Frame& frame, const std::optional<std::string>& text,
                         Console& console) {
   GeometryAnswers geometry;
-  CompiledTextureFunctions texture_functions;
+  CompiledTextureFunctions texture_functions(make_inside_test);
   ParseOptions parse;
   parse.input_file = options.input_file;
   parse.input_text = text;

@@ -65,10 +65,11 @@ void Session::fail_at(std::string message, std::string code, const Item& item) {
   report_fatal(diagnose(Severity::kError, std::move(code), std::move(message), item.file, item.source));
 }
 
-void Session::fail_after(std::string message, std::string code) {
+void Session::fail_after(std::string message, std::string code, std::string hint) {
   Diagnostic d = diagnose(Severity::kError, std::move(code), std::move(message), stream.last_file, stream.last_token);
   d.where.column = d.end_column;
   d.end_column = d.where.column + 1;
+  d.hint = std::move(hint);
   report_fatal(std::move(d));
 }
 

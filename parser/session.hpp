@@ -66,7 +66,7 @@ struct Session {
   Diagnostic diagnose(Severity severity, std::string code, std::string message, std::uint32_t file, const Token* token);
   [[noreturn]] void fail(std::string message, std::string code = "scene-error");  // at the token taken last
   [[noreturn]] void fail_at(std::string message, std::string code, const Item& item);
-  [[noreturn]] void fail_after(std::string message, std::string code);  // behind the token taken last
+  [[noreturn]] void fail_after(std::string message, std::string code, std::string hint);  // behind the token taken last
   [[noreturn]] void fail_expected(std::string_view what, const Item& found);
   [[noreturn]] void report_fatal(Diagnostic diagnostic);
   std::string suggestion(const Item& found);  // "did you mean '...'?" for an unknown name, else ""

@@ -1,6 +1,7 @@
 // #declare #local #undef, and what may stand on the right of their `=`. Source: specification chapter 10 §3.
 #include "parser/directives/directive.hpp"
 #include "parser/expression/expression.hpp"
+#include "parser/expression/nesting.hpp"
 
 namespace lute {
 
@@ -47,6 +48,7 @@ ParsedValue parse_identifier_value(Session& session, ValueUse use) {
 }  // namespace
 
 ParsedValue parse_value(Session& session, ValueUse use) {
+  const Nesting nesting(session);
   Reader& reader = session.reader;
   const Item& next = reader.peek();
   if (next.is(TokenKind::kIdentifier)) return parse_identifier_value(session, use);
@@ -188,6 +190,15 @@ std::shared_ptr<Deprecation> parse_deprecation(Session& session) {
   return deprecation;
 }
 
+bool is_comparison(TokenKind kind) {
+  switch (kind) {
+    case TokenKind::kLess: case TokenKind::kLessEqual: case TokenKind::kEqual: case TokenKind::kNotEqual:
+    case TokenKind::kGreaterEqual: case TokenKind::kGreater: case TokenKind::kAnd: case TokenKind::kOr:
+    case TokenKind::kQuestion: return true;
+    default: return false;
+  }
+}
+
 // The `;` behind a value. Numbers must have it; behind anything else one is swallowed.
 void end_declaration(Session& session, bool numeric) {
   TokenStream& stream = session.stream;
@@ -204,7 +215,11 @@ void end_declaration(Session& session, bool numeric) {
   const char* const message =
       "All #declares of float, vector, and color require semi-colon ';' at end if the language version is set to 3.5 or higher. "
       "Either add the semi-colon or set the language version to 3.1 or lower.";
-  if (session.language.version >= 350) session.fail_after(message, "missing-semicolon");
+  if (session.language.version >= 350) {
+    const bool compares = is_comparison(stream.peek().token.kind);
+    session.fail_after(message, "missing-semicolon",
+                       compares ? "comparisons and & | ? need parentheses around the whole expression here" : "");
+  }
   if (session.language.version >= 310) session.possible_error(message, "missing-semicolon");
 }
 

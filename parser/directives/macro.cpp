@@ -3,6 +3,7 @@
 #include "parser/directives/macro.hpp"
 
 #include "parser/directives/directive.hpp"
+#include "parser/expression/nesting.hpp"
 
 namespace lute {
 
@@ -64,6 +65,7 @@ void call_macro(Session& session, const MacroPtr& macro, const Item& name) {
   {
     const TokenStream::Aside aside(stream, true);
     const ExpressionState::Interruption interruption(session.expressions);
+    const Nesting nesting(session);
     open_paren(session);
     for (std::size_t i = 0; i < macro->parameters.size(); ++i) {
       if (session.reader.at(TokenKind::kRightParen)) {

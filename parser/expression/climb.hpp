@@ -5,7 +5,7 @@
 #include <boost/spirit/home/x3.hpp>
 #include <iterator>
 
-#include "parser/session.hpp"
+#include "parser/expression/nesting.hpp"
 
 namespace lute {
 
@@ -37,20 +37,6 @@ class TokenCursor {
 
  private:
   State* state_ = nullptr;
-};
-
-// Bounds recursion: of parentheses, signs, calls.
-class Nesting {
- public:
-  explicit Nesting(Session& session) : depth_(session.expressions.depth) {
-    if (++depth_ > session.options.limits.nesting) session.fail("The expression is nested too deeply.", "nesting");
-  }
-  ~Nesting() { --depth_; }
-  Nesting(const Nesting&) = delete;
-  Nesting& operator=(const Nesting&) = delete;
-
- private:
-  std::size_t& depth_;
 };
 
 // Operands joined by binary, left-associative operators of level kMinimum and above (precedence climbing). `Operators` has

@@ -21,6 +21,7 @@ struct NodeValue {
 };
 
 constexpr std::size_t kMostParameters = 56;
+constexpr std::size_t kMostOperators = 10'000;
 
 // A parameter: an undeclared name, or one of x y z u v.
 struct Parameter {
@@ -33,6 +34,7 @@ struct FunctionScope {
   ExpressionBuilder builder;
   std::vector<Parameter> parameters;
   std::vector<std::pair<NameId, Node>> locals;  // of the sums and products that are open
+  std::size_t operators = 0;
 };
 Session& session_of(FunctionScope& scope) { return scope.session; }
 
@@ -73,6 +75,8 @@ struct FunctionOperators {
     }
   }
   static NodeValue combine(FunctionScope& scope, TokenKind op, NodeValue left, NodeValue right) {
+    // A chain of operators is a deep tree: bounded, so that whoever walks the tree has stack enough.
+    if (++scope.operators > kMostOperators) scope.session.fail("The function is too long.", "nesting");
     return {scope.builder.binary(operation(op), left.node, right.node)};
   }
 };
@@ -450,7 +454,7 @@ FunctionPtr parse_special_body(Session& session) {
 FunctionPtr parse_function(Session& session, bool parameters_allowed) {
   const TokenStream::AfterOperand allowed(session.stream, true);
   const ExpressionState::Interruption interruption(session.expressions);
-  FunctionScope scope{session, {}, {}, {}};
+  FunctionScope scope{session, {}, {}, {}, 0};
   const bool listed = parameters_allowed && session.reader.at(TokenKind::kLeftParen);
   if (listed) {
     scope.parameters = parse_parameters(session);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "parser/expression/nesting.hpp"
 #include "parser/expression/recorder.hpp"
 
 namespace lute {
@@ -132,7 +133,7 @@ std::u16string parse_string(Session& session, bool file_name) {
   }
   if (item.is(TokenKind::kIdentifier)) return **item.slot->get_if<String>();
 
-  if (++session.expressions.depth > session.options.limits.nesting) session.fail("The expression is nested too deeply.", "nesting");
+  const Nesting nesting(session);
   const TokenStream::AfterOperand allowed(session.stream, true);
   open_call(session);
   std::u16string text;
@@ -147,7 +148,6 @@ std::u16string parse_string(Session& session, bool file_name) {
     default: text = parse_datetime(session); break;
   }
   close_call(session);
-  --session.expressions.depth;
   return text;
 }
 

@@ -39,8 +39,8 @@ Diagnostic Session::diagnose(Severity severity, std::string code, std::string me
   // The way to the place: from the innermost frame out.
   constexpr std::size_t kMostNotes = 20;
   for (std::size_t i = stream.frames.size(); i-- > 1 && d.chain.size() < kMostNotes;) {
-    const Frame& frame = stream.frames[i];
-    const Frame& caller = stream.frames[i - 1];
+    const TokenFrame& frame = stream.frames[i];
+    const TokenFrame& caller = stream.frames[i - 1];
     // The caller's cursor is behind the call's closing parenthesis, or behind the name of the include file.
     const Token* call = caller.cursor == caller.file->tokens.data() ? caller.cursor : caller.cursor - 1;
     if (frame.macro) {

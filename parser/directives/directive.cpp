@@ -56,7 +56,7 @@ void dispatch(Session& session, Word word) {
 
 bool run_directive(Session& session) {
   TokenStream& stream = session.stream;
-  Frame& frame = stream.frames.back();
+  TokenFrame& frame = stream.frames.back();
   const Token* const hash = frame.cursor;
   const Token* const keyword = hash + 1;
   if (keyword == frame.end || keyword->kind != TokenKind::kWord || !is_directive(keyword->word)) {

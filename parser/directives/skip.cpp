@@ -38,7 +38,7 @@ Word skip(Session& session, bool to_end) {
     return word->word;
   }
   for (std::size_t depth = 0;;) {
-    Frame& frame = stream.frames.back();
+    TokenFrame& frame = stream.frames.back();
     const Token& token = *frame.cursor;
     if (frame.cursor == frame.end || token.kind == TokenKind::kError) {
       // A conditional may end in the file that includes this one; a macro's body is complete in itself.

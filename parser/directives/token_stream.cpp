@@ -53,19 +53,19 @@ void TokenStream::unread() {
 
 bool TokenStream::at_written(TokenKind kind) const {
   if (window_size_ > 0) return window_[0].is(kind);
-  const Frame& frame = frames.back();
+  const TokenFrame& frame = frames.back();
   return frame.cursor != frame.end && frame.cursor->kind == kind;
 }
 
 bool TokenStream::at_written(Word word) const {
   if (window_size_ > 0) return window_[0].is(word);
-  const Frame& frame = frames.back();
+  const TokenFrame& frame = frames.back();
   return frame.cursor != frame.end && frame.cursor->kind == TokenKind::kWord && frame.cursor->word == word;
 }
 
 bool TokenStream::ends_argument() {
   if (window_size_ == 0) {
-    const Frame& frame = frames.back();
+    const TokenFrame& frame = frames.back();
     if (frame.cursor != frame.end && frame.cursor->kind != TokenKind::kHash && frame.cursor->kind != TokenKind::kName) {
       return frame.cursor->kind == TokenKind::kComma || frame.cursor->kind == TokenKind::kRightParen;
     }
@@ -74,7 +74,7 @@ bool TokenStream::ends_argument() {
   return next.is(TokenKind::kComma) || next.is(TokenKind::kRightParen);
 }
 
-void TokenStream::fail_unreadable(const Frame& frame) {
+void TokenStream::fail_unreadable(const TokenFrame& frame) {
   Item item;
   item.token = *frame.cursor;
   item.file = frame.file->index;
@@ -84,7 +84,7 @@ void TokenStream::fail_unreadable(const Frame& frame) {
 
 // Ends the innermost frame if it has no token left.
 bool TokenStream::at_frame_end() {
-  Frame& frame = frames.back();
+  TokenFrame& frame = frames.back();
   if (frame.macro) {
     if (frame.cursor != frame.end) return false;
     leave_macro();
@@ -110,7 +110,7 @@ void TokenStream::fetch(bool directives_allowed) {
   assert(window_size_ == 0);
   for (;;) {
     if (at_frame_end()) continue;
-    Frame& frame = frames.back();
+    TokenFrame& frame = frames.back();
     Item item;
     item.token = *frame.cursor;
     item.file = frame.file->index;
@@ -160,7 +160,7 @@ void TokenStream::resolve(Item& item, bool read_subscripts) {
   if (!read_subscripts) return;
   // An element of an array of arrays may be subscripted again.
   while (const ArrayPtr* array = item.slot->get_if<ArrayPtr>()) {
-    const Frame& frame = frames.back();
+    const TokenFrame& frame = frames.back();
     if (frame.cursor == frame.end || frame.cursor->kind != TokenKind::kLeftSquare) break;
     const ArrayPtr keep = *array;
     const bool first = item.subscripts == 0;
@@ -172,7 +172,7 @@ void TokenStream::resolve(Item& item, bool read_subscripts) {
 Item TokenStream::peek_raw() {
   while (at_frame_end()) {
   }
-  const Frame& frame = frames.back();
+  const TokenFrame& frame = frames.back();
   Item item;
   item.token = *frame.cursor;
   item.file = frame.file->index;
@@ -212,7 +212,7 @@ void TokenStream::pop_conditional() {
 
 void TokenStream::enter_file(SourceFile& file) {
   std::size_t open_files = 0;
-  for (const Frame& frame : frames) open_files += frame.macro ? 0 : 1;
+  for (const TokenFrame& frame : frames) open_files += frame.macro ? 0 : 1;
   if (open_files >= kMostFiles) session_.fail("Too many nested include files.", "nesting");
   if (!frames.empty()) {
     if (session_.symbols.table_count() >= SymbolTable::kMostTables) {

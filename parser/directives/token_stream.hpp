@@ -14,7 +14,7 @@
 
 namespace lute {
 
-struct Frame {
+struct TokenFrame {
   SourceFile* file = nullptr;
   const Token* cursor = nullptr;
   const Token* end = nullptr;  // of a macro: its `#end`; of a file: its kEnd token
@@ -73,7 +73,7 @@ class TokenStream {
   Item peek_raw();  // the same without moving; array subscripts are not read
 
   // For code that jumps: frames and conditionals.
-  std::vector<Frame> frames;
+  std::vector<TokenFrame> frames;
   std::vector<Conditional> conditionals;
   void push_conditional(Conditional conditional);
   void pop_conditional();
@@ -124,7 +124,7 @@ class TokenStream {
   void fetch(bool directives_allowed);
   bool at_frame_end();  // handles the end of a macro's body or of an included file; false when there is a token to read
   void resolve(Item& item, bool read_subscripts);
-  [[noreturn]] void fail_unreadable(const Frame& frame);
+  [[noreturn]] void fail_unreadable(const TokenFrame& frame);
 
   Session& session_;
   Item window_[2];

@@ -9,7 +9,7 @@ bool begin_recording(Session& session) {
   ExpressionState& state = session.expressions;
   state.recording.reset();
   if (!stream.repeats() || !stream.window_empty()) return false;
-  const Frame& frame = stream.frames.back();
+  const TokenFrame& frame = stream.frames.back();
   if (frame.cursor == frame.end || frame.cursor->kind == TokenKind::kHash) return false;
   state.recording = std::make_unique<Code>();
   state.recording->begin = frame.cursor;
@@ -37,7 +37,7 @@ void end_recording(Session& session, Level level) {
 bool run_compiled(Session& session, Level level, Number& result) {
   TokenStream& stream = session.stream;
   if (!stream.repeats() || !stream.window_empty()) return false;
-  Frame& frame = stream.frames.back();
+  TokenFrame& frame = stream.frames.back();
   SourceFile& file = *frame.file;
   if (file.expression_codes.empty() || frame.cursor == frame.end) return false;
   std::uint32_t index = file.expression_codes[file.token_index(frame.cursor)];

@@ -314,7 +314,7 @@ bool literal(const Token*& p, double& value) {
 bool parse_literal(Session& session, Level level, Number& result) {
   TokenStream& stream = session.stream;
   if (!stream.window_empty()) return false;
-  Frame& frame = stream.frames.back();
+  TokenFrame& frame = stream.frames.back();
   const Token* p = frame.cursor;
   if (p == frame.end) return false;
   if (p->kind == TokenKind::kLess) {

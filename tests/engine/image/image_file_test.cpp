@@ -1,0 +1,123 @@
+#include "engine/image/image_file.hpp"
+
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace lute {
+namespace {
+
+class ImageFile : public testing::Test {
+ protected:
+  std::string path(const std::string& name) {
+    return (std::filesystem::temp_directory_path() / ("lute_image_file_" + name)).string();
+  }
+  // Pixels as bytes; palette images: `colors` has RGBA entries.
+  std::string write_png(const std::string& name, std::uint32_t format, unsigned width, unsigned height,
+                        const std::vector<std::uint8_t>& pixels, const std::vector<std::uint8_t>& colors = {}) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = width;
+    image.height = height;
+    image.format = format;
+    image.colormap_entries = static_cast<png_uint_32>(colors.size() / 4);
+    const std::string file = path(name);
+    EXPECT_NE(png_image_write_to_file(&image, file.c_str(), 0, pixels.data(), 0, colors.empty() ? nullptr : colors.data()), 0);
+    return file;
+  }
+  ImagePtr load(const std::string& file, const ImageFileOptions& options = {}) {
+    std::string error;
+    ImagePtr image = files_.load(file, options, error);
+    EXPECT_NE(image, nullptr) << error;
+    return image;
+  }
+
+  ImageFiles files_;
+};
+
+ImageFileOptions colors_in_linear_space() {
+  ImageFileOptions options;
+  options.for_colors = true;
+  options.working = GammaCurve{};
+  return options;
+}
+
+// Chapter 30 §7.9: grey files are brought back to 8 bits by truncation, which loses 1 for some codes.
+TEST_F(ImageFile, GreyPngLosesACodeHereAndThere) {
+  const std::string file = write_png("grey.png", PNG_FORMAT_GRAY, 7, 1, {10, 30, 60, 100, 128, 200, 255});
+  const ImagePtr image = load(file);
+  const int expected[7] = {9, 30, 60, 99, 128, 199, 255};
+  for (int i = 0; i < 7; ++i) {
+    EXPECT_EQ(std::lround(image->pixel(i, 0).rgb.r * 255), expected[i]);
+    EXPECT_EQ(image->height_at(i, 0), 257 * expected[i]);
+  }
+}
+
+TEST_F(ImageFile, ColorsAreDecodedAndHeightsAreNot) {
+  const std::string file = write_png("rgb.png", PNG_FORMAT_RGB, 1, 1, {188, 64, 0});
+  EXPECT_NEAR(load(file, colors_in_linear_space())->pixel(0, 0).rgb.r, 0.5029f, 1e-4f);  // sRGB 188
+  const ImagePtr raw = load(file);
+  EXPECT_FLOAT_EQ(raw->pixel(0, 0).rgb.r, 188 / 255.0f);
+  EXPECT_EQ(raw->height_at(0, 0), 188 * 256 + 64);
+  EXPECT_FALSE(raw->has_alpha());
+}
+
+TEST_F(ImageFile, WrittenGammaOverridesTheFile) {
+  const std::string file = write_png("gamma.png", PNG_FORMAT_RGB, 1, 1, {128, 128, 128});
+  ImageFileOptions options = colors_in_linear_space();
+  options.file_gamma = GammaCurve{.srgb = false, .power = 2};
+  EXPECT_NEAR(load(file, options)->pixel(0, 0).rgb.g, (128 / 255.0f) * (128 / 255.0f), 1e-6f);
+  options.for_colors = false;
+  EXPECT_NEAR(load(file, options)->pixel(0, 0).rgb.g, (128 / 255.0f) * (128 / 255.0f), 1e-6f);
+}
+
+TEST_F(ImageFile, PaletteIsKept) {
+  const std::string file = write_png("palette.png", PNG_FORMAT_RGBA_COLORMAP, 3, 1, {0, 2, 1}, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 51});
+  const ImagePtr image = load(file);
+  ASSERT_TRUE(image->is_palette());
+  EXPECT_EQ(image->index(1, 0), 2);
+  EXPECT_EQ(image->height_at(1, 0), 512);
+  EXPECT_EQ(image->pixel(0, 0).rgb, Rgb(1, 0, 0));
+  EXPECT_NEAR(image->pixel(1, 0).alpha, 0.2f, 1e-6f);
+  EXPECT_TRUE(image->has_alpha());
+}
+
+TEST_F(ImageFile, AlphaIsNeverDecoded) {
+  const std::string file = write_png("alpha.png", PNG_FORMAT_RGBA, 1, 1, {255, 255, 255, 51});
+  EXPECT_NEAR(load(file, colors_in_linear_space())->pixel(0, 0).alpha, 0.2f, 1e-6f);
+}
+
+TEST_F(ImageFile, PortableMapsAreTakenAsTheyAre) {
+  const std::string file = path("map.ppm");
+  std::ofstream(file, std::ios::binary) << "P6\n2 1\n255\n" << std::string("\x80\x00\x00\x00\x80\x00", 6);
+  const ImagePtr image = load(file, colors_in_linear_space());
+  EXPECT_FLOAT_EQ(image->pixel(0, 0).rgb.r, 128 / 255.0f);
+  EXPECT_FLOAT_EQ(image->pixel(1, 0).rgb.g, 128 / 255.0f);
+}
+
+TEST_F(ImageFile, BrokenFilesAreErrors) {
+  const std::string file = path("broken.png");
+  std::ofstream(file, std::ios::binary) << "no png at all";
+  std::string error;
+  EXPECT_EQ(files_.load(file, {}, error), nullptr);
+  EXPECT_FALSE(error.empty());
+  error.clear();
+  EXPECT_EQ(files_.load(path("missing.png"), {}, error), nullptr);
+  EXPECT_FALSE(error.empty());
+}
+
+TEST(GammaCurve, DecodesWhatItEncodes) {
+  for (const GammaCurve& curve : {GammaCurve{}, GammaCurve{.srgb = true, .power = 1}, GammaCurve{.srgb = false, .power = 2.2}})
+    for (const float v : {0.0f, 0.01f, 0.5f, 1.0f}) EXPECT_NEAR(curve.decode(curve.encode(v)), v, 1e-6f);
+  EXPECT_EQ(image_type_of("a.b/c.JPG"), "jpeg");
+  EXPECT_EQ(image_type_of("a.b/c"), "");
+}
+
+}  // namespace
+}  // namespace lute

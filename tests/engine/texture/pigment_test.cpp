@@ -1,0 +1,182 @@
+// Specification chapter 50 §16 C, the pigments: pixel centres x = -1.5 ... 1.5, y = 1, 0, -1.
+#include <gtest/gtest.h>
+
+#include "engine/texture/function_image.hpp"
+#include "pattern_value.hpp"
+
+namespace lute {
+namespace {
+
+Color rgb(float r, float g, float b) { return {{r, g, b}, 0, 0}; }
+
+Gradient gradient_x() {
+  Gradient g;
+  g.direction = {1, 0, 0};
+  return g;
+}
+
+Pigment scaled(Pigment pigment, double factor) {
+  prepend_transform(pigment.body.warps, Transform::scale(dvec3(factor)));
+  return pigment;
+}
+
+Color color_at(const Pigment& description, double x, double y, bool* found = nullptr) {
+  TextureCompiler compiler{TextureSettings()};
+  Color color;
+  const bool has_color = compiler.pigment(std::make_shared<Pigment>(description))->evaluate({x, y, 0}, SurfaceContext(), color);
+  if (found != nullptr) *found = has_color;
+  return color;
+}
+
+void expect_rgb(const Color& color, double r, double g, double b, double tolerance = 2e-5) {
+  EXPECT_NEAR(static_cast<double>(color.rgb.r), r, tolerance);
+  EXPECT_NEAR(static_cast<double>(color.rgb.g), g, tolerance);
+  EXPECT_NEAR(static_cast<double>(color.rgb.b), b, tolerance);
+}
+
+TEST(Pigment, EqualPositionsMakeAHardStep) {  // C8
+  Pigment pigment;
+  pigment.body = body_of(gradient_x());
+  pigment.map = ColorMap{{{0.2f, rgb(1, 0, 0)}, {0.6f, rgb(0, 1, 0)}, {0.6f, rgb(0, 0, 1)}}};
+  pigment = scaled(pigment, 5);
+  expect_rgb(color_at(pigment, -1.5, 0), 0, 0, 1);
+  expect_rgb(color_at(pigment, -0.5, 0), 0, 0, 1);
+  expect_rgb(color_at(pigment, 0.5, 0), 1, 0, 0);
+  expect_rgb(color_at(pigment, 1.5, 0), 0.75, 0.25, 0);
+}
+
+TEST(Pigment, AverageWeighsItsEntries) {  // C9
+  Pigment red, grey_gradient, average;
+  red.map = rgb(1, 0, 0);
+  grey_gradient.body = body_of(gradient_x());
+  grey_gradient = scaled(grey_gradient, 4);
+  average.body.pattern = Average{};
+  average.map = PigmentMap{{{1, std::make_shared<Pigment>(red)}, {3, std::make_shared<Pigment>(grey_gradient)}}};
+  const double expected[4][2] = {{.7187, .4688}, {.9062, .6562}, {.3438, .0938}, {.5312, .2813}};
+  for (int i = 0; i < 4; ++i) expect_rgb(color_at(average, i - 1.5, 0), expected[i][0], expected[i][1], expected[i][1], 1e-4);
+}
+
+TEST(Pigment, MarbleHasDefaultColors) {  // C16: green and blue
+  Pigment marble;
+  marble.body = body_of(Marble());
+  ClassicTurbulence turbulence;
+  turbulence.amount = dvec3(0.5);
+  turbulence.octaves = 4;
+  marble.body.warps.push_back(turbulence);
+  marble = scaled(marble, 2);
+  const double expected[3][4] = {{0, .6845, 0, .5284}, {.5776, .7605, 0, .6481}, {.4772, .4259, .5327, .5568}};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column)
+      EXPECT_NEAR(static_cast<double>(color_at(marble, column - 1.5, 1.0 - row).rgb.g), expected[row][column], 1e-4);
+}
+
+TEST(Pigment, BrickHasDefaultColors) {  // C17
+  Pigment brick;
+  brick.body = body_of(Brick());
+  brick = scaled(brick, 0.4);
+  for (int column = 0; column < 4; ++column) {
+    expect_rgb(color_at(brick, column - 1.5, 1), 0.5, 0.5, 0.5);
+    expect_rgb(color_at(brick, column - 1.5, 0), 0.6, 0.15, 0.15);
+    if (column < 3) expect_rgb(color_at(brick, column - 1.5, -1), 0.6, 0.15, 0.15);
+  }
+  expect_rgb(color_at(brick, 1.5, -1), 0.5, 0.5, 0.5);
+}
+
+// function 4, 4 { pigment { gradient x color_map { [0 rgb 0] [1 rgb <1, 0.5, 0.25>] } } }
+class Ramp final : public Function {
+ public:
+  Ramp() : Function(3, 5) {}
+  void evaluate(const double* arguments, double* results) const override {
+    const double v = arguments[0];
+    const double values[5] = {v, 0.5 * v, 0.25 * v, 0, 0};
+    std::copy(values, values + 5, results);
+  }
+};
+
+Pigment image_map(int interpolate, bool once) {
+  ImageMap map;
+  map.mapping.image = sample_function(Ramp(), 4, 4);
+  map.mapping.interpolate = interpolate;
+  map.mapping.once = once;
+  Pigment pigment;
+  pigment.body = body_of(map);
+  return scaled(pigment, 5);
+}
+
+void expect_row(const Pigment& pigment, double y, const double (&red)[4], double tolerance = 5e-5) {
+  for (int i = 0; i < 4; ++i) expect_rgb(color_at(pigment, i - 1.5, y), red[i], red[i] / 2, red[i] / 4, tolerance);
+}
+
+TEST(ImageMap, InterpolatesLikeTheReference) {  // C10, C11, C12
+  for (const double y : {1.0, 0.0, -1.0}) {
+    expect_row(image_map(2, false), y, {.7667, .9000, .1000, .2333});
+    expect_row(image_map(3, false), y, {.8087, .9480, .0520, .1913});
+  }
+  expect_row(image_map(4, false), 1, {.7579, .8645, .1355, .2421});
+  expect_row(image_map(4, false), 0, {.7716, .8030, .1970, .2284});
+  expect_row(image_map(4, false), -1, {.7579, .8645, .1355, .2421});
+}
+
+TEST(ImageMap, OnceHasNoColorOutside) {  // C13
+  bool found = true;
+  color_at(image_map(0, true), -1.5, 1, &found);
+  EXPECT_FALSE(found);
+  color_at(image_map(0, true), 1.5, -1, &found);
+  EXPECT_FALSE(found);
+  expect_rgb(color_at(image_map(0, true), 0.5, 1, &found), 0, 0, 0);
+  EXPECT_TRUE(found);
+  EXPECT_NEAR(static_cast<double>(color_at(image_map(0, true), 1.5, 0, &found).rgb.r), 1.0 / 3, 2e-5);
+  EXPECT_TRUE(found);
+}
+
+TEST(ImageMap, OnceCountsAsClearInsideAMap) {  // §11.1
+  Pigment outer;
+  outer.body = body_of(gradient_x());
+  outer.map = PigmentMap{{{0, std::make_shared<Pigment>(image_map(0, true))}}};
+  bool found = false;
+  const Color color = color_at(outer, -1.5, 1, &found);
+  EXPECT_TRUE(found);
+  EXPECT_EQ(color, (Color{Rgb(1), 0, 1}));
+}
+
+TEST(DensityFile, InterpolatesLikeTheReference) {  // C15
+  std::string error;
+  const auto volume = DensityVolume::parse({0, 3, 0, 1, 0, 1, 0, 255, 51}, error);
+  ASSERT_NE(volume, nullptr) << error;
+  const double expected[3][4] = {{0, 1, 1, .2}, {.375, .9, .3, .075}, {.38087, .98202, .28359, 0}};
+  for (int kind = 0; kind < 3; ++kind) {
+    DensityFile pattern;
+    pattern.volume = volume;
+    pattern.interpolate = kind;
+    PatternBody body = body_of(pattern);
+    prepend_transform(body.warps, Transform::translate({-0.5, -0.5, 0}));
+    prepend_transform(body.warps, Transform::scale(dvec3(4)));
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(value_at(body, {i - 1.5, 0, 0}), expected[kind][i], 2e-5) << kind << ' ' << i;
+  }
+}
+
+TEST(DensityFile, WrongSizeIsAnError) {
+  std::string error;
+  EXPECT_EQ(DensityVolume::parse({0, 3, 0, 1, 0, 1, 0, 255}, error), nullptr);
+  EXPECT_EQ(error, "Invalid density file size");
+}
+
+TEST(BumpMap, EqualsTheReference) {  // C14
+  BumpMap map;
+  map.mapping.image = sample_function(Ramp(), 4, 4);
+  map.mapping.interpolate = 2;
+  Normal description;
+  description.body = body_of(map);
+  description.amount = 2;
+  prepend_transform(description.body.warps, Transform::scale(dvec3(5)));
+  TextureCompiler compiler{TextureSettings()};
+  const CompiledNormal* normal = compiler.normal(std::make_shared<Normal>(description), false);
+  const double expected[4] = {.90779, .78917, .78917, .90779};
+  for (int i = 0; i < 4; ++i) {
+    const dvec3 n = normal->perturb({0, 0, -1}, {i - 1.5, 0, 0}, SurfaceContext());
+    EXPECT_NEAR(std::acos(n.z) / kPi, expected[i], 2e-5);
+  }
+}
+
+}  // namespace
+}  // namespace lute

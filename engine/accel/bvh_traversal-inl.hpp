@@ -113,6 +113,11 @@ HWY_INLINE void traverse(const Bvh& bvh, const Ray& ray, float near, float far, 
       ++visited;
       alignas(64) float entries[Bvh::kWidth];
       std::uint32_t mask = meets(node, slab, near, far, entries);
+      if (std::has_single_bit(mask)) {  // most often: no need for the stack
+        const auto c = static_cast<std::size_t>(std::countr_zero(mask));
+        next = {entries[c], node.child[c], node.count[c]};
+        continue;
+      }
       Pending* const base = top;
       while (mask != 0) {
         const auto c = static_cast<std::size_t>(std::countr_zero(mask));

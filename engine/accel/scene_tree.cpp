@@ -31,7 +31,8 @@ SceneTree::SceneTree(std::span<const Solid* const> solids) {
     const Aabb& box = solids[i]->box;
     if (box.empty()) continue;
     const bool infinite = !(box.volume() <= kLargestFiniteVolume);
-    const Entry entry{solids[i], infinite ? i : count + i};
+    const Visibility visibility = solids[i]->visibility;
+    const Entry entry{solids[i], infinite ? i : count + i, visibility, solids[i]->opaque && !visibility.no_shadow};
     if (fits_tree(box)) {
       finite.push_back(entry);
       boxes.push_back(box);
@@ -52,7 +53,7 @@ struct SceneTree::Best {
 
   // Returns true if the solid has a better hit in [lo, hi].
   bool ask(const Entry& entry, const Ray& ray, Interval range, RayKind kind, Counters& counters) {
-    if (!entry.solid->visibility.visible_to(kind)) return false;
+    if (!entry.visibility.visible_to(kind)) return false;
     ++counters.solid_tests;
     if (!entry.solid->nearest(ray, range, kind, candidate)) return false;
     if (found && !(candidate.t < hit.t || (candidate.t == hit.t && entry.rank < rank))) return false;
@@ -81,10 +82,9 @@ bool SceneTree::nearest_shadow(const Ray& ray, Interval range, Hit& hit, Counter
 
 bool SceneTree::any_opaque(const Ray& ray, Interval range, Counters& counters) const {
   const auto blocks = [&](const Entry& entry) {
-    const Solid* solid = entry.solid;
-    if (!solid->opaque || solid->visibility.no_shadow) return false;
+    if (!entry.blocks) return false;
     ++counters.solid_tests;
-    return solid->any(ray, range, shadow_ray());
+    return entry.solid->any(ray, range, shadow_ray());
   };
   for (const Entry& entry : unbounded_)
     if (blocks(entry)) return true;

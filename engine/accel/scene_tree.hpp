@@ -17,7 +17,7 @@ namespace lute {
 
 class SceneTree {
  public:
-  // In scene order. The solids must outlive the tree.
+  // In scene order. The solids must outlive the tree, and keep their visibility.
   explicit SceneTree(std::span<const Solid* const> solids);
 
   bool nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit, Counters& counters) const;
@@ -31,7 +31,9 @@ class SceneTree {
  private:
   struct Entry {
     const Solid* solid;
-    std::uint32_t rank;  // of hits at equal depth the lowest wins
+    std::uint32_t rank;     // of hits at equal depth the lowest wins
+    Visibility visibility;  // the solid's own, here so that solids that are left out need not be looked at
+    bool blocks;            // casts shadows and is opaque
   };
   struct Best;
 

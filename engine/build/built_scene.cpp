@@ -76,6 +76,9 @@ std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const BuildOptions& 
   built->textures = std::make_unique<TextureCompiler>(texture_settings);
 
   SceneBuilder builder(*built, options);
+  long solids = 0;
+  for (const ObjectPtr& object : scene.objects) solids += builder.count_solids(*object);
+  builder.use_hierarchy(solids >= options.bounding_threshold);
   for (const ObjectPtr& object : scene.objects) builder.add(object);
   builder.finish();
 

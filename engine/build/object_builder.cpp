@@ -60,6 +60,17 @@ void SceneBuilder::add_top_level(const Object& object, const Context& parent) {
   built_.solids.push_back(std::move(built));
 }
 
+long SceneBuilder::count_solids(const Object& object) const {
+  if (is_light(object)) return std::get<LightSource>(object.geometry).looks_like != nullptr ? 1 : 0;
+  const auto* csg = std::get_if<Csg>(&object.geometry);
+  Context own;
+  own.inverted = object.inverse;
+  if (csg == nullptr || !dissolves(object, *csg, own)) return 1;
+  long count = 0;
+  for (const ObjectPtr& child : csg->children) count += count_solids(*child);
+  return count;
+}
+
 bool SceneBuilder::dissolves(const Object& object, const Csg& csg, const Context& own) const {
   if (kind_of(csg.operation) != CsgKind::kUnion || own.inverted) return false;
   if (!object.clipped_by.empty() || !csg.split_union) return false;
@@ -84,6 +95,7 @@ std::unique_ptr<Solid> SceneBuilder::leaf(const Object& object, const Context& o
 
   Limits limit = limits(object, own);
   const bool box_only = top_level && options_.remove_bounds && !keeps_bounds(shape);
+  if (box_only && !hierarchy_used_ && !leaf->shape->tests_own_box()) limit.bounds.clear();
   auto built = std::make_unique<LeafSolid>(std::move(leaf), std::move(limit.clips), std::move(limit.bounds),
                                            box_only ? BoundTest::kBoxOnly : BoundTest::kTested);
   built->visibility = own.visibility;

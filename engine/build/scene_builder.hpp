@@ -29,6 +29,12 @@ class SceneBuilder {
  public:
   SceneBuilder(BuiltScene& built, const BuildOptions& options) : built_(built), options_(options) {}
 
+  // How many top-level solids add() makes of an object.
+  long count_solids(const Object& object) const;
+  // Below the bounding threshold the reference tests spheres, boxes, planes and polynomials without any box: the box of a discarded
+  // bounding object then cuts nothing (chapter 20 §7.3).
+  void use_hierarchy(bool used) { hierarchy_used_ = used; }
+
   // A top-level object: one solid, several (a union that is dissolved), or none (a light).
   void add(const ObjectPtr& object);
 
@@ -97,6 +103,7 @@ class SceneBuilder {
   SharedForms shared_;
   TexturePtr default_texture_;       // of the statement being built
   std::vector<int> outer_groups_;    // enclosing group of each light group; -1: none
+  bool hierarchy_used_ = true;
   bool geometry_only_ = false;  // clips, bounds, questions: looks do not matter
 };
 

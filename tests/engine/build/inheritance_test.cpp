@@ -117,6 +117,18 @@ TEST(Clip, StaysWhereItIsWhenTheObjectMovesBeforeIt) {
   EXPECT_FALSE(built->solids[0]->inside({5.5, 0, 0}));
 }
 
+TEST(Bounds, BoxOfADiscardedBoundCutsOnceTheHierarchyIsInUse) {  // chapter 20 §7.3, check 11
+  const auto seen = [](int objects) {
+    auto b = object(sphere({0, 0, 0}, 1.5), glowing(1, 0, 0));
+    b->bounded_by = {object(box({-.5, -.5, -2}, {.5, .5, 2}))};
+    std::vector<ObjectPtr> all{b};
+    while (static_cast<int>(all.size()) < objects) all.push_back(far_ball(glowing(0, 0, 0)));
+    return look(scene(all), {{1, 0, -5}, {0, 0, 1}}).rgb.r;
+  };
+  EXPECT_EQ(seen(2), 1);
+  EXPECT_EQ(seen(3), 0);
+}
+
 TEST(LooksLike, StandsAtItsPlaceAndCastsNoShadow) {  // chapter 40 §10.5
   auto lamp = light({0, 0, -10}, Rgb(1.0f), [](LightSource& l) { l.looks_like = object(sphere({0, 0, -10}, 1), glowing(0, 1, 0)); });
   Scene s = scene({lamp, wall(texture(rgbft(1, 1, 1), finish(0, 1)))});

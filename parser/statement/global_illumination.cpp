@@ -1,0 +1,162 @@
+// radiosity { ... } and photons { ... } of global_settings (specification chapter 11 §3.1, §3.2).
+#include "parser/statement/global_settings.hpp"
+#include "parser/statement/state.hpp"
+
+namespace lute {
+namespace {
+
+double checked(Reader& reader, bool (*valid)(double), const char* message) {
+  const double value = reader.number();
+  if (!valid(value)) reader.error(message);
+  return value;
+}
+
+bool is_positive(double v) { return v > 0; }
+bool is_not_negative(double v) { return v >= 0; }
+bool is_fraction(double v) { return v >= 0 && v <= 1; }
+bool is_positive_fraction(double v) { return v > 0 && v <= 1; }
+
+int second_integer(Reader& reader, int when_missing) {
+  reader.comma();
+  const auto value = reader.optional_number();
+  return value ? static_cast<int>(*value) : when_missing;
+}
+
+// Values that are checked against each other at the end of the block.
+struct RadiosityLimits {
+  double minimum_reuse = 0.015, maximum_reuse = 0.2;
+  bool minimum_given = false, maximum_given = false;
+  double pretrace_start = 0.08, pretrace_end = 0.04;
+};
+
+void parse_radiosity_count(Reader& reader) {
+  const int count = reader.integer();
+  if (count <= 0) reader.error("Radiosity count must be a positive number.");
+  const int pool = second_integer(reader, count > 1600 ? count : 1600);
+  if (pool < count) reader.error("Radiosity sample pool must not be smaller than the count.");
+}
+
+void parse_nearest_count(Reader& reader) {
+  const int most = reader.integer();
+  if (most < 1 || most > 20) reader.error("Radiosity nearest_count must be 1 to 20.");
+  const int least = second_integer(reader, 0);
+  if (least < 0 || least >= most) reader.error("Radiosity nearest_count: the second value must be below the first.");
+}
+
+bool accept_radiosity_limit(Reader& reader, RadiosityLimits& limits) {
+  if (reader.accept(Word::kMaximumReuse)) {
+    limits.maximum_reuse = checked(reader, is_positive, "Radiosity maximum reuse must be greater than zero.");
+    limits.maximum_given = true;
+  } else if (reader.accept(Word::kMinimumReuse)) {
+    limits.minimum_reuse = checked(reader, is_not_negative, "Radiosity minimum reuse can not be a negative number.");
+    limits.minimum_given = true;
+  } else if (reader.accept(Word::kPretraceStart)) {
+    limits.pretrace_start = checked(reader, is_positive_fraction, "Radiosity pretrace start must be between 0.0 and 1.0.");
+  } else if (reader.accept(Word::kPretraceEnd)) {
+    limits.pretrace_end = checked(reader, is_positive_fraction, "Radiosity pretrace end must be between 0.0 and 1.0.");
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool accept_radiosity_item(Reader& reader) {
+  if (reader.accept(Word::kAdcBailout)) {
+    checked(reader, is_positive, "ADC bailout must be greater than 0.0.");
+  } else if (reader.accept(Word::kAlwaysSample) || reader.accept(Word::kMedia) || reader.accept(Word::kNormal) ||
+             reader.accept(Word::kSubsurface) || reader.accept(Word::kMaxSample)) {
+    reader.number();
+  } else if (reader.accept(Word::kBrightness)) {
+    checked(reader, is_positive, "Radiosity brightness must be a positive number.");
+  } else if (reader.accept(Word::kCount)) {
+    parse_radiosity_count(reader);
+  } else if (reader.accept(Word::kErrorBound)) {
+    checked(reader, is_positive, "Radiosity error bound must be greater than 0.0.");
+  } else if (reader.accept(Word::kGrayThreshold)) {
+    checked(reader, is_fraction, "Radiosity gray threshold must be from 0.0 to 1.0.");
+  } else if (reader.accept(Word::kLowErrorFactor)) {
+    checked(reader, is_positive, "Radiosity low error factor must be a positive number.");
+  } else if (reader.accept(Word::kNearestCount)) {
+    parse_nearest_count(reader);
+  } else if (reader.accept(Word::kRecursionLimit)) {
+    const int limit = reader.integer();
+    if (limit < 1 || limit > 20) reader.error("Radiosity recursion limit must be 1 to 20.");
+  } else if (reader.accept(Word::kLoadFile) || reader.accept(Word::kSaveFile)) {
+    reader.file_name();
+    reader.warning("load_file and save_file of radiosity are ignored: use Radiosity_File_Name.");
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void check_reuse(Reader& reader, RadiosityLimits& limits) {
+  if (limits.minimum_reuse <= limits.maximum_reuse / 2) return;
+  if (!limits.minimum_given) {
+    limits.minimum_reuse = limits.maximum_reuse / 2;
+  } else if (!limits.maximum_given) {
+    limits.maximum_reuse = 2 * limits.minimum_reuse;
+  } else if (limits.minimum_reuse >= limits.maximum_reuse) {
+    reader.error("Radiosity minimum reuse must be smaller than the maximum reuse.");
+  } else {
+    reader.warning("Radiosity minimum reuse should be at most half the maximum reuse.");
+  }
+}
+
+bool accept_photon_pass_item(Reader& reader) {
+  if (reader.accept(Word::kGather)) {
+    const int least = reader.integer();
+    const int most = second_integer(reader, 100);
+    if (least < 0 || most < 0 || (most > 0 && least > most)) reader.error("Illegal photon gather counts.");
+  } else if (reader.accept(Word::kRadius)) {
+    for (int i = 0; i < 4; ++i) {
+      if (i > 0) reader.comma();
+      reader.optional_number();
+    }
+  } else if (reader.accept(Word::kExpandThresholds)) {
+    reader.number();
+    second_integer(reader, 35);
+  } else if (reader.accept(Word::kMedia)) {
+    if (reader.integer() < 0) reader.error("max_steps for media photons must be at least 0.");
+    reader.comma();
+    if (const auto factor = reader.optional_number(); factor && *factor <= 0)
+      reader.error("Media photon spacing factor must be positive.");
+  } else if (reader.accept(Word::kLoadFile) || reader.accept(Word::kSaveFile)) {
+    reader.file_name();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool accept_photon_item(Reader& reader) {
+  for (const Word word : {Word::kSpacing, Word::kCount, Word::kJitter, Word::kAutostop, Word::kAdcBailout, Word::kMaxTraceLevel})
+    if (reader.accept(word)) {
+      reader.number();
+      return true;
+    }
+  return accept_photon_pass_item(reader);
+}
+
+}  // namespace
+
+void parse_global_radiosity(Reader& reader) {
+  reader.open(Word::kRadiosity);
+  RadiosityLimits limits;
+  while (accept_radiosity_limit(reader, limits) || accept_radiosity_item(reader)) {
+  }
+  reader.close(Word::kRadiosity);
+  if (limits.pretrace_end > limits.pretrace_start) reader.error("Radiosity pretrace end must not exceed pretrace start.");
+  check_reuse(reader, limits);
+  warn_not_rendered(reader, "radiosity");
+}
+
+void parse_global_photons(Reader& reader) {
+  reader.open(Word::kPhotons);
+  while (accept_photon_item(reader)) {
+  }
+  reader.close(Word::kPhotons);
+  warn_not_rendered(reader, "photons");
+}
+
+}  // namespace lute

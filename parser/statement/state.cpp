@@ -1,0 +1,47 @@
+#include "parser/statement/state.hpp"
+
+namespace lute {
+namespace {
+
+constexpr int kMaxNesting = 1000;  // of objects, textures, ... in each other: a frame takes some kilobytes of stack
+
+}  // namespace
+
+SceneStatements::SceneStatements() {
+  defaults_.pigment = std::make_shared<const Pigment>();
+  defaults_.finish = std::make_shared<const Finish>();
+}
+
+Defaults& SceneStatements::change_defaults() {
+  default_texture_.reset();
+  return defaults_;
+}
+
+const TexturePtr& SceneStatements::default_texture() {
+  if (!default_texture_) {
+    Texture texture;
+    texture.content = std::vector<TextureLayer>{defaults_.layer()};
+    default_texture_ = std::make_shared<const Texture>(std::move(texture));
+  }
+  return default_texture_;
+}
+
+SceneStatements& statements_of(Reader& reader) { return static_cast<SceneStatements&>(reader.statements()); }
+
+std::unique_ptr<StatementState> make_statement_state() { return std::make_unique<SceneStatements>(); }
+
+void warn_not_rendered(Reader& reader, std::string_view feature) {
+  if (statements_of(reader).not_rendered.insert(std::string(feature)).second)
+    reader.warning(std::string(feature) + " is not rendered yet");
+}
+
+NestingGuard::NestingGuard(Reader& reader) : statements_(statements_of(reader)) {
+  if (++statements_.nesting > kMaxNesting) {
+    --statements_.nesting;
+    reader.error("Too many nested blocks.", "nesting");
+  }
+}
+
+NestingGuard::~NestingGuard() { --statements_.nesting; }
+
+}  // namespace lute

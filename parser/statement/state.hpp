@@ -1,0 +1,61 @@
+// What the statements of a scene keep while it is read: the defaults in force, what was given, what was warned about.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "engine/image/image_file.hpp"
+#include "parser/reader.hpp"
+#include "parser/statement/statement.hpp"
+
+namespace lute {
+
+// Values that `#default` sets and that new textures and cameras start from (specification chapter 11 §9.4).
+struct Defaults {
+  PigmentPtr pigment;  // never null
+  NormalPtr normal;    // null: none
+  FinishPtr finish;    // never null
+  std::optional<float> radiosity_importance;
+  Camera camera;
+
+  TextureLayer layer() const { return {pigment, normal, finish}; }
+};
+
+class SceneStatements : public StatementState {
+ public:
+  SceneStatements();
+
+  const Defaults& defaults() const { return defaults_; }
+  Defaults& change_defaults();
+  const TexturePtr& default_texture();  // one for all objects that are read between two `#default`s
+
+  ImageFiles images;                    // files that the scene has read
+  bool camera_given = false;
+  int nesting = 0;                      // of blocks being read
+  std::set<std::string> not_rendered;   // features named in a warning already
+
+ private:
+  Defaults defaults_;
+  TexturePtr default_texture_;
+};
+
+SceneStatements& statements_of(Reader& reader);
+
+// Warns, once for each feature: "julia_fractal is not rendered yet".
+void warn_not_rendered(Reader& reader, std::string_view feature);
+
+// Guards the stack: blocks that contain blocks of their kind count their depth while they are read.
+class NestingGuard {
+ public:
+  explicit NestingGuard(Reader& reader);
+  ~NestingGuard();
+  NestingGuard(const NestingGuard&) = delete;
+  NestingGuard& operator=(const NestingGuard&) = delete;
+
+ private:
+  SceneStatements& statements_;
+};
+
+}  // namespace lute

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/math/rounding.hpp"
 #include "engine/texture/noise.hpp"
 #include "engine/texture/texture_compiler.hpp"
 
@@ -69,8 +70,12 @@ double CompiledPattern::value(const dvec3& warped, const SurfaceContext& surface
   context.surface = &surface;
   double v = std::visit([&](const auto& p) -> double { return evaluate(p, warped, context); }, *any);
   // The modulus is a little above 1 so that a raw value of exactly 1 survives.
-  if (frequency_ != 0) v = std::fmod(v * frequency_ + phase_, 1.00001);
-  if (v < 0) v -= std::floor(v);
+  constexpr double kModulus = 1.00001;
+  if (frequency_ != 0) {
+    v = v * frequency_ + phase_;
+    if (!(std::fabs(v) < kModulus)) v = std::fmod(v, kModulus);
+  }
+  if (v < 0) v -= fast_floor(v);
   return shape_wave(wave_, v, wave_exponent_);
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <random>
 #include <vector>
 
+#include "engine/math/rounding.hpp"
 #include "engine/texture/warp.hpp"
 
 namespace lute {
@@ -72,46 +74,61 @@ struct Lattice {
   std::uint32_t cell;
   double fraction;
   explicit Lattice(double c) {
-    const double t = c >= 0 ? std::trunc(c) : std::trunc(c - (1 - kEpsilon));
-    fraction = c - t;
-    cell = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::clamp(t, -9e15, 9e15)) + 10000) & 4095u;
+    const double shifted = c >= 0 ? c : c - (1 - kEpsilon);
+    std::int64_t i = 0;
+    if (std::fabs(shifted) < kAllIntegers) {
+      i = static_cast<std::int64_t>(shifted);
+      fraction = c - static_cast<double>(i);
+    } else {
+      i = static_cast<std::int64_t>(std::clamp(shifted, -9e15, 9e15));
+      fraction = c - shifted;
+    }
+    cell = static_cast<std::uint32_t>(i + 10000) & 4095u;
   }
 };
 
 double smooth(double f) { return f * f * (3.0 - 2.0 * f); }
 
-// Calls corner(gradient index, weight, fx, fy, fz) for the eight corners in the order of the reference's sum.
+// Two doubles that are worked on at once; every processor of the architecture has them.
+using Pair = double __attribute__((vector_size(16)));
+
+// Calls corner(gradient index, weight, {1/2, fx}, {fy, fz}) for the eight corners of the cell: a corner's term is the sum of the
+// gradient's four numbers times 1/2, fx, fy, fz.
 template <class Corner>
 void for_corners(const dvec3& p, Corner&& corner) {
   const Lattice x(p.x), y(p.y), z(p.z);
   const double sx = smooth(x.fraction), sy = smooth(y.fraction), sz = smooth(z.fraction);
   const double tx = 1 - sx, ty = 1 - sy, tz = 1 - sz;
   const std::uint32_t hx0 = kHash[x.cell], hx1 = kHash[x.cell + 1];
+  const std::uint32_t y1 = y.cell + 1, z1 = z.cell + 1;
   const std::uint32_t h00 = kHash[hx0 ^ y.cell], h10 = kHash[hx1 ^ y.cell];
-  const std::uint32_t y1 = y.cell + 1;
   const std::uint32_t h01 = kHash[hx0 ^ y1], h11 = kHash[hx1 ^ y1];
-  const std::uint32_t z1 = z.cell + 1;
   const auto index = [](std::uint32_t h, std::uint32_t c) { return kHash[h ^ c] & 255u; };
-  const double fx = x.fraction, fy = y.fraction, fz = z.fraction;
-  corner(index(h00, z.cell), tx * ty * tz, fx, fy, fz);
-  corner(index(h10, z.cell), sx * ty * tz, fx - 1, fy, fz);
-  corner(index(h01, z.cell), tx * sy * tz, fx, fy - 1, fz);
-  corner(index(h11, z.cell), sx * sy * tz, fx - 1, fy - 1, fz);
-  corner(index(h00, z1), tx * ty * sz, fx, fy, fz - 1);
-  corner(index(h10, z1), sx * ty * sz, fx - 1, fy, fz - 1);
-  corner(index(h01, z1), tx * sy * sz, fx, fy - 1, fz - 1);
-  corner(index(h11, z1), sx * sy * sz, fx - 1, fy - 1, fz - 1);
+  const double fy = y.fraction, fz = z.fraction;
+  const Pair near_x{0.5, x.fraction}, far_x{0.5, x.fraction - 1};
+  const Pair near{fy, fz}, up{fy - 1, fz}, back{fy, fz - 1}, up_back{fy - 1, fz - 1};
+  corner(index(h00, z.cell), tx * ty * tz, near_x, near);
+  corner(index(h10, z.cell), sx * ty * tz, far_x, near);
+  corner(index(h01, z.cell), tx * sy * tz, near_x, up);
+  corner(index(h11, z.cell), sx * sy * tz, far_x, up);
+  corner(index(h00, z1), tx * ty * sz, near_x, back);
+  corner(index(h10, z1), sx * ty * sz, far_x, back);
+  corner(index(h01, z1), tx * sy * sz, near_x, up_back);
+  corner(index(h11, z1), sx * sy * sz, far_x, up_back);
 }
 
-double gradient_term(std::uint32_t k, double fx, double fy, double fz) {
-  const double* g = &kGradients[k];
-  return 0.5 * g[0] + g[1] * fx + g[2] * fy + g[3] * fz;
+// Both halves of a corner's term, to be added at the end.
+Pair gradient_term(std::uint32_t k, const Pair& half_x, const Pair& yz) {
+  Pair first, second;
+  std::memcpy(&first, &kGradients[k], sizeof first);
+  std::memcpy(&second, &kGradients[k + 2], sizeof second);
+  return first * half_x + second * yz;
 }
 
 double lattice_sum(const dvec3& p) {
-  double sum = 0;
-  for_corners(p, [&](std::uint32_t k, double w, double fx, double fy, double fz) { sum += w * gradient_term(k, fx, fy, fz); });
-  return sum;
+  Pair sum{0, 0};
+  for_corners(p, [&](std::uint32_t k, double w, const Pair& half_x, const Pair& yz) { sum += w * gradient_term(k, half_x, yz); });
+  return sum[0] + sum[1];
 }
 
 // Perlin's noise with its own tables (chapter 50 §2.4).
@@ -147,7 +164,7 @@ double perlin(const dvec3& p) {
   double r0[3];
   for (int axis = 0; axis < 3; ++axis) {
     const double t = p[axis] + 10000000.023157213;
-    const double n = std::floor(t);
+    const double n = fast_floor(t);
     b0[axis] = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::clamp(n, -9e15, 9e15))) & 2047u;
     b1[axis] = (b0[axis] + 1) & 2047u;
     r0[axis] = t - n;
@@ -168,6 +185,8 @@ double perlin(const dvec3& p) {
 constexpr std::size_t kRandomNumbers = 32768;
 
 }  // namespace
+
+const std::uint16_t* hash_numbers() { return kHash.data(); }
 
 std::uint32_t hash_table(std::uint32_t index) { return kHash[index & 4095u]; }
 
@@ -198,13 +217,13 @@ double noise(const dvec3& p, int generator) {
 }
 
 dvec3 vector_noise(const dvec3& p) {
-  dvec3 sum{0};
-  for_corners(p, [&](std::uint32_t k, double w, double fx, double fy, double fz) {
-    sum.x += w * gradient_term(k, fx, fy, fz);
-    sum.y += w * gradient_term(k + 4, fx, fy, fz);
-    sum.z += w * gradient_term(k + 8, fx, fy, fz);
+  Pair x{0, 0}, y{0, 0}, z{0, 0};
+  for_corners(p, [&](std::uint32_t k, double w, const Pair& half_x, const Pair& yz) {
+    x += w * gradient_term(k, half_x, yz);
+    y += w * gradient_term(k + 4, half_x, yz);
+    z += w * gradient_term(k + 8, half_x, yz);
   });
-  return sum;
+  return {x[0] + x[1], y[0] + y[1], z[0] + z[1]};
 }
 
 double turbulence(const dvec3& p, const Turbulence& t, int generator) {
@@ -236,13 +255,13 @@ dvec3 vector_turbulence(const dvec3& p, const Turbulence& t) {
 }
 
 double cycle_sine(double v) {
-  return v < 0 ? -std::sin(2 * kPi * (-v - std::floor(-v))) : std::sin(2 * kPi * (v - std::floor(v)));
+  return v < 0 ? -std::sin(2 * kPi * (-v - fast_floor(-v))) : std::sin(2 * kPi * (v - fast_floor(v)));
 }
 
-double quirk_floor(double v) { return v >= 0 ? std::floor(v) : -std::floor(-v) - 1; }
+double quirk_floor(double v) { return v >= 0 ? fast_floor(v) : -fast_floor(-v) - 1; }
 
 double triangle_wave(double v) {
-  const double o = v >= 0 ? v - std::floor(v) : v + 1 + std::floor(std::fabs(v));
+  const double o = v >= 0 ? v - fast_floor(v) : v + 1 + fast_floor(std::fabs(v));
   return o >= 0.5 ? 2 * (1 - o) : 2 * o;
 }
 

@@ -12,6 +12,8 @@ namespace lute {
 std::uint32_t hash3(std::int64_t x, std::int64_t y, std::int64_t z);
 // Entry `index` of the table of 4096 permuted numbers, index modulo 4096.
 std::uint32_t hash_table(std::uint32_t index);
+// The table itself, twice over: 8192 entries.
+const std::uint16_t* hash_numbers();
 // R of chapter 50 §1: MT19937 scaled to [0, 1), index modulo 32768.
 double random_table(std::uint32_t index);
 // The table itself, long enough for index 32767 + 2.

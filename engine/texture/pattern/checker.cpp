@@ -1,12 +1,13 @@
 #include "engine/texture/pattern/checker.hpp"
 
-#include <cmath>
+#include "engine/math/rounding.hpp"
 
 namespace lute {
 
 double evaluate(const Checker&, const dvec3& p, const PatternContext&) {
-  const double sum = std::floor(p.x + kEpsilon) + std::floor(p.y + kEpsilon) + std::floor(p.z + kEpsilon);
-  return std::fmod(sum, 2.0) != 0 ? 1 : 0;
+  const double sum = fast_floor(p.x + kEpsilon) + fast_floor(p.y + kEpsilon) + fast_floor(p.z + kEpsilon);
+  const double half = sum * 0.5;
+  return half != fast_floor(half) ? 1 : 0;
 }
 
 }  // namespace lute

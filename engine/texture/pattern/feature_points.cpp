@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
+#include "engine/math/rounding.hpp"
 #include "engine/texture/noise.hpp"
 
 namespace lute {
@@ -15,83 +17,96 @@ struct Offset {
   std::int8_t x, y, z;
 };
 
-// All offsets of -2...2 with at most one component of magnitude 2, in the order of the reference's loops.
+// All offsets of -2...2 with at most one component of magnitude 2, nearer ones first: the nearest points are found early, and
+// cubes that are farther away than those need no look.
 constexpr auto kOffsets = [] {
   std::array<Offset, 81> offsets{};
   std::size_t count = 0;
-  for (int i = -2; i <= 2; ++i)
-    for (int j = -2; j <= 2; ++j)
-      for (int k = -2; k <= 2; ++k)
-        if ((i * i == 4) + (j * j == 4) + (k * k == 4) <= 1)
-          offsets[count++] = {static_cast<std::int8_t>(i), static_cast<std::int8_t>(j), static_cast<std::int8_t>(k)};
+  for (int distance2 = 0; distance2 <= 6; ++distance2)
+    for (int i = -2; i <= 2; ++i)
+      for (int j = -2; j <= 2; ++j)
+        for (int k = -2; k <= 2; ++k)
+          if ((i * i == 4) + (j * j == 4) + (k * k == 4) <= 1 && i * i + j * j + k * k == distance2)
+            offsets[count++] = {static_cast<std::int8_t>(i), static_cast<std::int8_t>(j), static_cast<std::int8_t>(k)};
   return offsets;
 }();
 
-// Calls visit(feature point) for the 81 cubes around `p`.
-template <class Visit>
-void for_feature_points(const dvec3& p, Visit&& visit) {
-  const dvec3 f{std::floor(p.x - kEpsilon), std::floor(p.y - kEpsilon), std::floor(p.z - kEpsilon)};
-  const auto index = [](double c) { return static_cast<std::int64_t>(std::clamp(c, -9e15, 9e15)); };
-  const std::int64_t x = index(f.x), y = index(f.y), z = index(f.z);
-  const double* random = random_numbers();
-  for (const Offset& o : kOffsets) {
-    const double* r = random + hash3(x + o.x, y + o.y, z + o.z);
-    visit(dvec3(f.x + o.x + r[0], f.y + o.y + r[1], f.z + o.z + r[2]));
+// The cubes around a point.
+class Cubes {
+ public:
+  explicit Cubes(const dvec3& p)
+      : point(p), cube(fast_floor(p.x - kEpsilon), fast_floor(p.y - kEpsilon), fast_floor(p.z - kEpsilon)) {
+    const auto low = [](double c) { return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::clamp(c, -9e15, 9e15)) & 4095); };
+    y_ = low(cube.y);
+    z_ = low(cube.z);
+    for (std::uint32_t i = 0; i < 5; ++i) hash_x_[i] = hash_[(low(cube.x) + i - 2) & 4095];
   }
-}
 
-template <class Distance>
-FeaturePoints three_nearest(const dvec3& p, const Distance& distance) {
+  dvec3 feature(const Offset& o) const {
+    const auto step = [](std::uint32_t c, int by) { return (c + static_cast<std::uint32_t>(by)) & 4095; };
+    const double* r = random_ + hash_[hash_[hash_x_[static_cast<std::size_t>(o.x + 2)] ^ step(y_, o.y)] ^ step(z_, o.z)];
+    return {cube.x + o.x + r[0], cube.y + o.y + r[1], cube.z + o.z + r[2]};
+  }
+
+  const dvec3 point, cube;
+
+ private:
+  const std::uint16_t* hash_ = hash_numbers();
+  const double* random_ = random_numbers();
+  std::uint32_t hash_x_[5], y_, z_;
+};
+
+// power(d): |d|^metric of one component; the distance is the sum over the components. `grows`: it grows with |d|.
+template <class Power>
+FeaturePoints nearest_points(const dvec3& p, int wanted, const Power& power, bool grows = true) {
+  const Cubes cubes(p);
+  // At least so far away is everything in the cubes at an offset along an axis.
+  double least[3][5];
+  for (int axis = 0; axis < 3; ++axis) {
+    const double in_cube = p[axis] - cubes.cube[axis];
+    for (int o = -2; o <= 2; ++o)
+      least[axis][o + 2] = o == 0 || !grows ? 0 : power(std::max(o > 0 ? o - in_cube : in_cube - (o + 1), 0.0));
+  }
   const double inf = std::numeric_limits<double>::infinity();
   FeaturePoints n{{inf, inf, inf}, dvec3(0)};
-  for_feature_points(p, [&](const dvec3& feature) {
-    const double s = distance(p - feature);
-    if (!(s < n.distance[2])) return;
+  for (const Offset& o : kOffsets) {
+    constexpr double kRounding = 1 - 1e-9;
+    if ((least[0][o.x + 2] + least[1][o.y + 2] + least[2][o.z + 2]) * kRounding > n.distance[wanted - 1]) continue;
+    const dvec3 feature = cubes.feature(o), d = p - feature;
+    const double s = power(d.x) + power(d.y) + power(d.z);
+    if (!(s < n.distance[2])) continue;
     n.distance[2] = s;
     if (s < n.distance[1]) std::swap(n.distance[1], n.distance[2]);
     if (s < n.distance[0]) {
       std::swap(n.distance[0], n.distance[1]);
       n.nearest = feature;
     }
-  });
+  }
   return n;
 }
 
-template <class Distance>
-dvec3 nearest_one(const dvec3& p, const Distance& distance) {
+dvec3 nearest_by_signed_sum(const dvec3& p) {
+  const Cubes cubes(p);
   double best = std::numeric_limits<double>::infinity();
   dvec3 nearest{0};
-  for_feature_points(p, [&](const dvec3& feature) {
-    const double s = distance(p - feature);
-    if (s < best) {
-      best = s;
-      nearest = feature;
-    }
-  });
+  for (const Offset& o : kOffsets) {
+    const dvec3 feature = cubes.feature(o), d = p - feature;
+    const double s = d.x + d.y + d.z;
+    if (s >= best) continue;
+    best = s;
+    nearest = feature;
+  }
   return nearest;
-}
-
-double square(const dvec3& d) { return d.x * d.x + d.y * d.y + d.z * d.z; }
-double manhattan(const dvec3& d) { return std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z); }
-
-auto powers(double metric) {
-  return [metric](const dvec3& d) {
-    return std::pow(std::fabs(d.x), metric) + std::pow(std::fabs(d.y), metric) + std::pow(std::fabs(d.z), metric);
-  };
 }
 
 }  // namespace
 
-FeaturePoints crackle_points(const dvec3& p, double metric) {
-  if (metric == 2) return three_nearest(p, square);
-  if (metric == 1) return three_nearest(p, manhattan);
-  return three_nearest(p, powers(metric));
+FeaturePoints crackle_points(const dvec3& p, double metric, int wanted) {
+  if (metric == 2) return nearest_points(p, wanted, [](double d) { return d * d; });
+  if (metric == 1) return nearest_points(p, wanted, [](double d) { return std::fabs(d); });
+  return nearest_points(p, wanted, [metric](double d) { return std::pow(std::fabs(d), metric); }, metric > 0);
 }
 
-dvec3 facet_point(const dvec3& p, double metric) {
-  if (metric == 2) return nearest_one(p, square);
-  if (metric == 1) return nearest_one(p, [](const dvec3& d) { return d.x + d.y + d.z; });
-  return nearest_one(p, powers(metric));
-}
+dvec3 facet_point(const dvec3& p, double metric) { return metric == 1 ? nearest_by_signed_sum(p) : crackle_points(p, metric, 1).nearest; }
 
 }  // namespace lute

@@ -10,7 +10,8 @@ struct FeaturePoints {
   double distance[3];
   dvec3 nearest;
 };
-FeaturePoints crackle_points(const dvec3& p, double metric);
+// Only the first `wanted` (1 to 3) of the distances are needed: the others may come out too large.
+FeaturePoints crackle_points(const dvec3& p, double metric, int wanted);
 
 // The nearest point as facets measure it: with metric 1 distances keep their sign.
 dvec3 facet_point(const dvec3& p, double metric);

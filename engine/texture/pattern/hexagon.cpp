@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/rounding.hpp"
+
 namespace lute {
 
 double evaluate(const Hexagon&, const dvec3& p, const PatternContext&) {
@@ -10,8 +12,8 @@ double evaluate(const Hexagon&, const dvec3& p, const PatternContext&) {
   static constexpr int kLow[6] = {0, 2, 1, 0, 2, 1}, kHigh[6] = {2, 1, 0, 2, 1, 0};
   const double x = std::fabs(p.x), z = p.z >= 0 ? p.z : 5.196152424 - std::fabs(p.z);
   double u = x / 0.5, w = z / 0.866025404;
-  u -= 6 * std::floor(u / 6);
-  w -= 6 * std::floor(w / 6);
+  u -= 6 * fast_floor(u / 6);
+  w -= 6 * fast_floor(w / 6);
   const int i = std::min(static_cast<int>(u), 5), j = std::min(static_cast<int>(w), 5);
   if (i == 0 || i == 5) return kSide[j];
   if (i == 2 || i == 3) return kMiddle[j];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/rounding.hpp"
 #include "engine/texture/pattern/pavement_tiles.hpp"
 
 namespace lute {
@@ -11,7 +12,7 @@ namespace {
 const double kRoot3 = std::sqrt(3.0), kHeight = kRoot3 / 2, kInradius = 1 / (2 * kRoot3);
 
 // The number of a cell along an axis; far away it is meaningless, but must not be undefined.
-int cell_of(double c) { return static_cast<int>(std::clamp(std::floor(c), -1e8, 1e8)); }
+int cell_of(double c) { return static_cast<int>(std::clamp(fast_floor(c), -1e8, 1e8)); }
 
 // The unit square around the point, seen from one of its corners.
 struct SquareCorner {

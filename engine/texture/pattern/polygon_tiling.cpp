@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "engine/math/rounding.hpp"
+
 namespace lute {
 namespace {
 
@@ -247,8 +249,8 @@ PolygonTiling make_tiling(int number) {
 double PolygonTiling::value(dvec2 point) const {
   const dvec2 &u = along[0], &v = along[1];
   const double determinant = u.x * v.y - u.y * v.x;
-  const double a = std::floor((point.x * v.y - point.y * v.x) / determinant);
-  const double b = std::floor((u.x * point.y - u.y * point.x) / determinant);
+  const double a = fast_floor((point.x * v.y - point.y * v.x) / determinant);
+  const double b = fast_floor((u.x * point.y - u.y * point.x) / determinant);
   point -= a * u + b * v;
 
   // The tile that holds the point is the one in which it is farthest from the edges.

@@ -2,12 +2,14 @@
 
 #include <cmath>
 
+#include "engine/math/rounding.hpp"
+
 namespace lute {
 
 double evaluate(const Triangular&, const dvec3& p, const PatternContext&) {
   const double root3 = std::sqrt(3.0);
-  double u = p.x - 3 * std::floor(p.x / 3), w = p.z - root3 * std::floor(p.z / root3);
-  const int a = static_cast<int>(std::floor(u));
+  double u = p.x - 3 * fast_floor(p.x / 3), w = p.z - root3 * fast_floor(p.z / root3);
+  const int a = static_cast<int>(fast_floor(u));
   u -= a;
   const bool top = w >= root3 / 2;
   if (top) w = root3 - w;

@@ -1,5 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "engine/texture/noise.hpp"
+#include "engine/texture/pattern/feature_points.hpp"
 #include "pattern_value.hpp"
 
 namespace lute {
@@ -179,6 +186,30 @@ TEST(Pattern, SlopeAndAoiNeedASurface) {
   EXPECT_NEAR(value_at(body_of(Slope()), kP1, surface), 1 - 1e-10, 1e-14);
   surface.normal = {1, 0, 0};
   EXPECT_NEAR(value_at(body_of(Slope()), kP1, surface), 0.5, 1e-11);
+}
+
+// The nearest feature points are the same whether cubes are passed over or not: against a plain search of all 81.
+TEST(Pattern, CracklePassesOverNoCubeThatCounts) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-30, 30);
+  for (const double metric : {1.0, 2.0, 3.0, 0.5})
+    for (int i = 0; i < 2000; ++i) {
+      const dvec3 p(place(random), place(random), place(random));
+      const FeaturePoints n = crackle_points(p, metric, 3);
+      std::vector<double> all;
+      const dvec3 f(std::floor(p.x - kEpsilon), std::floor(p.y - kEpsilon), std::floor(p.z - kEpsilon));
+      for (int x = -2; x <= 2; ++x)
+        for (int y = -2; y <= 2; ++y)
+          for (int z = -2; z <= 2; ++z) {
+            if ((x * x == 4) + (y * y == 4) + (z * z == 4) > 1) continue;
+            const dvec3 c = f + dvec3(x, y, z);
+            const std::uint32_t h = hash3(std::lround(c.x), std::lround(c.y), std::lround(c.z));
+            const dvec3 d = p - (c + dvec3(random_table(h), random_table(h + 1), random_table(h + 2)));
+            all.push_back(std::pow(std::fabs(d.x), metric) + std::pow(std::fabs(d.y), metric) + std::pow(std::fabs(d.z), metric));
+          }
+      std::sort(all.begin(), all.end());
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(n.distance[k], all[k], 1e-9);
+    }
 }
 
 }  // namespace

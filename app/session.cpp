@@ -8,6 +8,7 @@
 
 #include "app/interrupt.hpp"
 #include "engine/plan/render_plan.hpp"
+#include "parser/dump/dump.hpp"
 #include "parser/options/option_table.hpp"
 
 namespace lute {
@@ -44,6 +45,7 @@ ExitCode inspect(const RenderOptions& options, const std::optional<std::string>&
   const ParseResult parsed = parse_frame(options, frame, text, console);
   if (parsed.ok && options.action == Action::kExplain)
     print(make_plan(parsed.scene, build_options(options)).text(parsed.scene));
+  if (parsed.ok && options.action == Action::kDumpScene) print(dump_scene(parsed.scene).dump(2));
   console.finish(false);
   return parsed.ok ? ExitCode::kDone : ExitCode::kFailed;
 }

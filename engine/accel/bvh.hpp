@@ -42,7 +42,7 @@ class Bvh {
   };
 
   // An item to build over: its box, relative to the tree's origin.
-  struct alignas(32) Item {
+  struct alignas(16) Item {
     float lo[3];
     std::uint32_t index;
     float hi[3];

@@ -25,8 +25,12 @@ Dither::Dither(DitherMethod method, int width) : method_(method) {
 void Dither::begin_row() {
   if (!diffuses()) return;
   current_.swap(below_);
+  if (method_ == DitherMethod::kDiffusion1) {
+    current_[index(0)] = below_.back();  // from the end of the row before
+  } else {
+    std::swap(current_[index(0)], first_column_);
+  }
   below_.assign(below_.size(), PixelError{});
-  std::swap(current_[index(0)], first_column_);
 }
 
 float Dither::step_offset(int column, int row) const {

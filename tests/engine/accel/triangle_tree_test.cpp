@@ -1,6 +1,7 @@
 #include "engine/accel/triangle_tree.hpp"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +137,38 @@ TEST(TriangleTree, CrossingsTellInsideFromOutsideEvenThroughEdgesAndCorners) {
           EXPECT_EQ(tree.crossings({p, direction}, {0, 1e10}) % 2 == 1, inside)
               << x << ' ' << y << ' ' << z << " along " << direction.x << ' ' << direction.y << ' ' << direction.z;
       }
+}
+
+TEST(TriangleTree, HitsAreBitIdenticalOnEveryInstructionSet) {
+  const Surface s = ball(30, 60, 1);
+  const auto trace_all = [&] {
+    const TriangleTree tree = s.tree();
+    Random random(4);
+    std::vector<TriangleHit> hits;
+    for (int i = 0; i < 20000; ++i) {
+      const dvec3 origin = 2.0 * in_cube(random);
+      const Ray ray{origin, glm::normalize(in_cube(random) - origin)};
+      TriangleHit hit;
+      if (tree.nearest(ray, {1e-4, 1e7}, hit)) hits.push_back(hit);
+    }
+    return hits;
+  };
+  const auto expected = trace_all();
+  EXPECT_GT(expected.size(), 5000u);
+  const std::int64_t supported = hwy::SupportedTargets();
+  for (std::int64_t rest = supported; rest != 0; rest &= rest - 1) {
+    const std::int64_t one = rest & -rest;
+    if ((one & HWY_TARGETS) == 0) continue;
+    hwy::SetSupportedTargetsForTest(one);
+    const auto actual = trace_all();
+    ASSERT_EQ(actual.size(), expected.size()) << hwy::TargetName(one);
+    for (std::size_t i = 0; i < actual.size(); ++i) {
+      ASSERT_EQ(actual[i].t, expected[i].t) << hwy::TargetName(one);
+      ASSERT_EQ(actual[i].face, expected[i].face) << hwy::TargetName(one);
+      ASSERT_EQ(actual[i].weights, expected[i].weights) << hwy::TargetName(one);
+    }
+  }
+  hwy::SetSupportedTargetsForTest(0);
 }
 
 TEST(TriangleTree, HighestFaceWinsExactTies) {

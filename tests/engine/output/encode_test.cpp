@@ -101,8 +101,8 @@ TEST(OutputAlpha, NotANumberIsBlack) {
   EXPECT_THAT(alpha_codes({Rgb(std::numeric_limits<float>::quiet_NaN()), 0, 0}), ElementsAre(0, 0, 0, 255));
 }
 
-// Chapter 30 §12 I.
-TEST(Dither, FloydSteinbergAsMeasured) {
+// Chapter 30 §12 I: the first two rows of a slope.
+std::array<std::vector<int>, 2> dithered_slope(DitherMethod method) {
   Film film(12, 8);
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 12; ++x) {
@@ -110,14 +110,26 @@ TEST(Dither, FloydSteinbergAsMeasured) {
       film.at(x, y).rgb = Rgb(static_cast<float>((px + 6.3) / 60 + (py + 4) / 200));
     }
   }
-  const EncodedImage image = encoded(film, kLinear, {.dither = DitherMethod::kFloydSteinberg});
-  std::vector<int> first, second;
+  const EncodedImage image = encoded(film, kLinear, {.dither = method});
+  std::array<std::vector<int>, 2> rows;
   for (std::size_t x = 0; x < 12; ++x) {
-    first.push_back(image.codes[3 * x]);
-    second.push_back(image.codes[3 * (12 + x)]);
+    rows[0].push_back(image.codes[3 * x]);
+    rows[1].push_back(image.codes[3 * (12 + x)]);
   }
-  EXPECT_THAT(first, ElementsAreArray({64, 73, 82, 89, 96, 103, 108, 114, 119, 124, 128, 133}));
-  EXPECT_THAT(second, ElementsAreArray({60, 71, 80, 87, 94, 101, 106, 112, 117, 122, 127, 132}));
+  return rows;
+}
+
+TEST(Dither, FloydSteinbergAsMeasured) {
+  const auto rows = dithered_slope(DitherMethod::kFloydSteinberg);
+  EXPECT_THAT(rows[0], ElementsAreArray({64, 73, 82, 89, 96, 103, 108, 114, 119, 124, 128, 133}));
+  EXPECT_THAT(rows[1], ElementsAreArray({60, 71, 80, 87, 94, 101, 106, 112, 117, 122, 127, 132}));
+}
+
+// Measured with the reference, +THD1: the error at the end of a row goes to the next.
+TEST(Dither, OneDimensionalDiffusionRunsOnIntoTheNextRow) {
+  const auto rows = dithered_slope(DitherMethod::kDiffusion1);
+  EXPECT_THAT(rows[0], ElementsAreArray({64, 73, 82, 89, 97, 102, 108, 114, 119, 124, 128, 133}));
+  EXPECT_THAT(rows[1], ElementsAreArray({61, 71, 79, 87, 95, 100, 107, 112, 117, 123, 127, 131}));
 }
 
 // Chapter 30 §7.6: {1,3;4,2}/4 - 0.5 steps, the column first, added to 100.25.
@@ -126,7 +138,8 @@ TEST(Dither, OrderedTwoByTwo) {
   for (const int y : {0, 1}) {
     for (const int x : {0, 1}) film.at(x, y).rgb = Rgb(100.25f / 255);
   }
-  const EncodedImage image = encoded(film, kLinear, {.dither = DitherMethod::kBayer2, .file_gamma = GammaCurve::linear()});
+  const EncodedImage image =
+      encoded(film, kLinear, {.dither = DitherMethod::kBayer2, .file_gamma = GammaCurve::linear()});
   std::vector<int> reds;
   for (std::size_t i = 0; i < 4; ++i) reds.push_back(image.codes[3 * i]);
   EXPECT_THAT(reds, ElementsAre(100, 101, 101, 100));

@@ -20,6 +20,12 @@ bool Reader::accept(Word wanted) {
   return true;
 }
 
+bool Reader::accept_written(Word wanted) {
+  if (!session_.stream.window_empty()) return accept(wanted);
+  const Item next = session_.stream.peek_raw();
+  return next.is(wanted) && accept(wanted);
+}
+
 void Reader::expect(TokenKind kind) {
   if (!accept(kind)) error_expected(name_of(kind));
 }

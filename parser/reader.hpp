@@ -46,6 +46,8 @@ class Reader {
   Word word() { return peek().word(); }  // Word::kNone unless a reserved word comes next
   bool accept(TokenKind kind);           // takes it if it is next
   bool accept(Word word);
+  // The same, but a directive or a macro call that stands in front of the word is neither executed nor skipped: it ends what was read.
+  bool accept_written(Word word);
   void expect(TokenKind kind);           // Expected '...', ... found instead
   void expect(Word word);
   // The next token as it is written, without executing what stands in front of it: for deciding whether a #declare's value goes

@@ -45,16 +45,16 @@ void requantise_grey(std::vector<float>& decoded) {
 }
 
 std::optional<GammaCurve> curve_of_png(const PngContent& png, const ImageFileOptions& options) {
-  if (png.srgb) return GammaCurve{.srgb = true, .power = 1};
-  if (png.gamma > 0) return GammaCurve{.srgb = false, .power = 1 / png.gamma};
+  if (png.srgb) return GammaCurve::srgb();
+  if (png.gamma > 0) return GammaCurve::power(1 / png.gamma);
   if (options.legacy) return std::nullopt;
-  return GammaCurve{.srgb = true, .power = 1};
+  return GammaCurve::srgb();
 }
 
 std::optional<GammaCurve> curve_of_format(const std::string& format, const ImageFileOptions& options) {
-  if (format == "openexr" || format == "hdr") return GammaCurve{};
+  if (format == "openexr" || format == "hdr") return GammaCurve::linear();
   const bool picture = format == "jpeg" || format == "gif" || format == "bmp" || format == "targa";
-  if (picture && !options.legacy) return GammaCurve{.srgb = true, .power = 1};
+  if (picture && !options.legacy) return GammaCurve::srgb();
   return std::nullopt;
 }
 
@@ -114,18 +114,6 @@ std::shared_ptr<Image> make_other(const std::string& path, const ImageFileOption
 }
 
 }  // namespace
-
-float GammaCurve::decode(float stored) const {
-  if (!srgb) return power == 1 ? stored : static_cast<float>(std::pow(static_cast<double>(stored), power));
-  const double v = static_cast<double>(stored);
-  return static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
-}
-
-float GammaCurve::encode(float light) const {
-  if (!srgb) return power == 1 ? light : static_cast<float>(std::pow(static_cast<double>(light), 1 / power));
-  const double v = static_cast<double>(light);
-  return static_cast<float>(v <= 0.0031308 ? v * 12.92 : 1.055 * std::pow(v, 1 / 2.4) - 0.055);
-}
 
 std::string image_type_of(const std::string& path) {
   const std::size_t dot = path.find_last_of('.');

@@ -7,20 +7,10 @@
 #include <string>
 #include <tuple>
 
+#include "engine/image/gamma_curve.hpp"
 #include "engine/image/image.hpp"
 
 namespace lute {
-
-// A transfer curve between stored values and light: a power, or sRGB.
-struct GammaCurve {
-  bool srgb = false;
-  double power = 1;  // light = stored^power
-
-  float decode(float stored) const;
-  float encode(float light) const;
-  friend bool operator==(const GammaCurve&, const GammaCurve&) = default;
-  friend auto operator<=>(const GammaCurve&, const GammaCurve&) = default;
-};
 
 struct ImageFileOptions {
   std::string type;                       // "png", "jpeg", ... as the keyword says; empty: the extension decides

@@ -1,26 +1,12 @@
-// Gamma: the curves between light and stored numbers, and the way of a rendered colour into a file.
+// Gamma: the way of a rendered colour into a file.
 //
-// All in single precision, as the reference computes. Source: specification chapter 30 §7.1-7.3.
+// All in single precision, as the reference computes. Source: specification chapter 30 §7.1, §7.3.
 #pragma once
 
+#include "engine/image/gamma_curve.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace lute {
-
-// A curve with its inverse; encode takes light to numbers.
-struct GammaCurve {
-  enum class Kind { kLinear, kPower, kSrgb };
-  Kind kind = Kind::kSrgb;
-  double gamma = 1;  // of kPower
-
-  static GammaCurve linear() { return {Kind::kLinear, 1}; }
-  static GammaCurve srgb() { return {Kind::kSrgb, 1}; }
-  static GammaCurve power(double gamma);  // near 1 (within 1 %) it is linear
-
-  float encode(float light) const;
-  float decode(float number) const;
-  bool operator==(const GammaCurve&) const = default;
-};
 
 // The numbers of a scene: which curve its colours are in, and whether gamma is handled at all.
 struct WorkingSpace {

@@ -47,17 +47,17 @@ std::string accept_type(Reader& reader, ImageUse use) {
 std::optional<GammaCurve> working_space(Reader& reader) {
   if (reader.assumed_gamma_given()) {
     const GlobalSettings& settings = reader.scene().settings;
-    return GammaCurve{settings.gamma_mode == GammaMode::kSrgb, settings.assumed_gamma};
+    return settings.gamma_mode == GammaMode::kSrgb ? GammaCurve::srgb() : GammaCurve::power(settings.assumed_gamma);
   }
   if (reader.effective_version() < 370) return std::nullopt;
-  return GammaCurve{};
+  return GammaCurve::linear();
 }
 
 GammaCurve parse_gamma(Reader& reader) {
-  if (reader.accept(Word::kSrgb)) return {true, 1};
+  if (reader.accept(Word::kSrgb)) return GammaCurve::srgb();
   const double power = reader.number();
   if (power <= 0) reader.error("gamma value must be positive.");
-  return {false, power};
+  return GammaCurve::power(power);
 }
 
 void parse_file_options(Reader& reader, ImageFileOptions& options) {

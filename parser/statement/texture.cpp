@@ -160,8 +160,10 @@ TexturePtr parse_texture(Reader& reader) { return parse_block(reader, Word::kTex
 TexturePtr parse_interior_texture(Reader& reader) { return parse_block(reader, Word::kInteriorTexture); }
 
 TexturePtr parse_texture_layers(Reader& reader) {
-  TexturePtr texture;
-  while (reader.accept(Word::kTexture)) texture = layered(reader, texture, parse_texture(reader));
+  // What follows may be a directive that uses the name being declared: it has to wait until the name holds this texture.
+  reader.take();
+  TexturePtr texture = parse_texture(reader);
+  while (reader.accept_written(Word::kTexture)) texture = layered(reader, texture, parse_texture(reader));
   return texture;
 }
 

@@ -44,7 +44,7 @@ class ImageFile : public testing::Test {
 ImageFileOptions colors_in_linear_space() {
   ImageFileOptions options;
   options.for_colors = true;
-  options.working = GammaCurve{};
+  options.working = GammaCurve::linear();
   return options;
 }
 
@@ -71,7 +71,7 @@ TEST_F(ImageFile, ColorsAreDecodedAndHeightsAreNot) {
 TEST_F(ImageFile, WrittenGammaOverridesTheFile) {
   const std::string file = write_png("gamma.png", PNG_FORMAT_RGB, 1, 1, {128, 128, 128});
   ImageFileOptions options = colors_in_linear_space();
-  options.file_gamma = GammaCurve{.srgb = false, .power = 2};
+  options.file_gamma = GammaCurve::power(2);
   EXPECT_NEAR(load(file, options)->pixel(0, 0).rgb.g, (128 / 255.0f) * (128 / 255.0f), 1e-6f);
   options.for_colors = false;
   EXPECT_NEAR(load(file, options)->pixel(0, 0).rgb.g, (128 / 255.0f) * (128 / 255.0f), 1e-6f);
@@ -113,7 +113,7 @@ TEST_F(ImageFile, BrokenFilesAreErrors) {
 }
 
 TEST(GammaCurve, DecodesWhatItEncodes) {
-  for (const GammaCurve& curve : {GammaCurve{}, GammaCurve{.srgb = true, .power = 1}, GammaCurve{.srgb = false, .power = 2.2}})
+  for (const GammaCurve& curve : {GammaCurve::linear(), GammaCurve::srgb(), GammaCurve::power(2.2)})
     for (const float v : {0.0f, 0.01f, 0.5f, 1.0f}) EXPECT_NEAR(curve.decode(curve.encode(v)), v, 1e-6f);
   EXPECT_EQ(image_type_of("a.b/c.JPG"), "jpeg");
   EXPECT_EQ(image_type_of("a.b/c"), "");

@@ -31,7 +31,7 @@ TEST_P(LectureScene, MatchesTheReference) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LectureScene, testing::ValuesIn(lecture_scenes()),
-                         [](const auto& info) { return std::filesystem::path(info.param.name).stem().string(); });
+                         [](const auto& test) { return std::filesystem::path(test.param.name).stem().string(); });
 
 }  // namespace
 }  // namespace lute::compare

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "parser/statement/scene_text.hpp"
+#include "tests/parser/statement/scene_text.hpp"
 
 namespace lute::test {
 namespace {

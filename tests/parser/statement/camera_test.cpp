@@ -1,5 +1,5 @@
 // The arithmetic of cameras (specification chapters 11 §4 and 30 §2.3).
-#include "parser/statement/scene_text.hpp"
+#include "tests/parser/statement/scene_text.hpp"
 
 namespace lute::test {
 namespace {

@@ -1,5 +1,5 @@
 // Lights and light groups (specification chapter 11 §6).
-#include "parser/statement/scene_text.hpp"
+#include "tests/parser/statement/scene_text.hpp"
 
 namespace lute::test {
 namespace {

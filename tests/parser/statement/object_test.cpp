@@ -1,5 +1,5 @@
 // Check cases of specification chapter 11 §16 that show in the description.
-#include "parser/statement/scene_text.hpp"
+#include "tests/parser/statement/scene_text.hpp"
 
 namespace lute::test {
 namespace {

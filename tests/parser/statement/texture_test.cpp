@@ -1,5 +1,5 @@
 // Pigments, normals, finishes and maps (specification chapter 11 §9-10).
-#include "parser/statement/scene_text.hpp"
+#include "tests/parser/statement/scene_text.hpp"
 
 namespace lute::test {
 namespace {

@@ -1,5 +1,5 @@
 // What stands between objects: settings, defaults, surroundings, the end of the scene (specification chapter 11 §2-5).
-#include "parser/statement/scene_text.hpp"
+#include "tests/parser/statement/scene_text.hpp"
 
 namespace lute::test {
 namespace {

@@ -242,7 +242,9 @@ TEST_P(ShadingCase, HasTheMeasuredColor) {
   EXPECT_NEAR(color.rgb.r, c.r * c.coverage, kTolerance);
   EXPECT_NEAR(color.rgb.g, c.g * c.coverage, kTolerance);
   EXPECT_NEAR(color.rgb.b, c.b * c.coverage, kTolerance);
-  if (c.alpha) EXPECT_NEAR(1 - color.transmit, c.coverage, kTolerance);
+  if (c.alpha) {
+    EXPECT_NEAR(1 - color.transmit, c.coverage, kTolerance);
+  }
 }
 
 const auto kName = [](const ::testing::TestParamInfo<Case>& info) { return info.param.name; };

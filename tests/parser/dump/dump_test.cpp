@@ -15,12 +15,12 @@ std::string file_text(const std::string& name) {
   return text.str();
 }
 
-// Every *.pov beside this test has its *.json. To renew one after an intended change: lute --dump-scene.
+// Every *.pov beside this test has its *.json. To renew one after an intended change: lute --dump-scene NAME.pov, in this folder.
 class GoldenScene : public testing::TestWithParam<const char*> {};
 
 TEST_P(GoldenScene, DumpIsAsRecorded) {
   const std::string base = std::string(LUTE_SOURCE_DIR) + "/tests/parser/dump/" + GetParam();
-  const std::string dumped = dump_scene(scene_of(file_text(base + ".pov"))).dump(1) + "\n";
+  const std::string dumped = dump_scene(scene_of(file_text(base + ".pov"))).dump(2) + "\n";
   EXPECT_EQ(dumped, file_text(base + ".json"));
 }
 

@@ -136,11 +136,11 @@ TEST(CompiledExpression, AgreesWithTheParsedOne) {
                     "#declare S=spline{0,<0,0> 1,<2,4>}\n"
                     "#for(I,0,2) #debug concat(str(A[I]*2-V.y+f(I)+S(I/2).y+max(I,1)+(I=1?10:20)+dimension_size(A,1),0,3),\" \") #end\n"
                     "#debug \"\\n\""),
-            "24.000 20.000 37.000\n");
+            "24.000 19.000 37.000 \n");
   EXPECT_EQ(printed("#declare Q=array[2]; #declare Q[0]=1; #declare Q[1]=2;\n"
                     "#for(I,1,4) #declare X=I; #if(I>2) #declare X=<I,I,I>; #end #debug concat(vstr(3,X*2,\",\",0,0),\" \") #end\n"
                     "#debug \"\\n\""),
-            "2,0,0 4,0,0 6,6,6 8,8,8\n");
+            "2,0,0 4,0,0 6,6,6 8,8,8 \n");
 }
 
 }  // namespace

@@ -52,10 +52,10 @@ TEST(Cameras, OldCamerasActInOrder) {  // case 17: the angle sees the right vect
 }
 
 TEST(Cameras, TypesComeFirst) {
-  EXPECT_EQ(error_of(kVersion + "camera { location 0 orthographic }"),
+  EXPECT_EQ(rejection_of(kVersion + "camera { location 0 orthographic }"),
             "Expected 'perspective camera modifier', orthographic found instead");
-  EXPECT_EQ(error_of(kVersion + "camera { angle 180 }"), "Viewing angle has to be smaller than 180 degrees.");
-  EXPECT_EQ(error_of(kVersion + "camera { location 1 look_at 1 }"), "Camera location and look_at point must be different.");
+  EXPECT_EQ(rejection_of(kVersion + "camera { angle 180 }"), "Viewing angle has to be smaller than 180 degrees.");
+  EXPECT_EQ(rejection_of(kVersion + "camera { location 1 look_at 1 }"), "Camera location and look_at point must be different.");
 }
 
 TEST(Cameras, TheLastOneCounts) {
@@ -66,7 +66,7 @@ TEST(Cameras, TheLastOneCounts) {
 
 TEST(Cameras, FocalPointMeasuresFromTheLocation) {
   EXPECT_EQ(camera_of("location -5*z focal_point 0 aperture 0.1 blur_samples 10").focal_distance, 5);
-  EXPECT_EQ(error_of(kVersion + "camera { blur_samples 0 }"), "Illegal number of focal blur samples.");
+  EXPECT_EQ(rejection_of(kVersion + "camera { blur_samples 0 }"), "Illegal number of focal blur samples.");
 }
 
 }  // namespace

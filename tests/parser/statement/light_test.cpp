@@ -26,9 +26,9 @@ TEST(Lights, CylinderLightsAreParallel) {
 
 TEST(Lights, OrientMakesAnAreaLightCircular) {
   EXPECT_TRUE(light_of("0, 1 area_light x, y, 2, 2 orient").area->circular);
-  EXPECT_EQ(error_of(kVersion + "light_source { 0, 1 area_light x, y, 1, 2 circular }"),
+  EXPECT_EQ(rejection_of(kVersion + "light_source { 0, 1 area_light x, y, 1, 2 circular }"),
             "Circular area light must have more than 1 point per axis.");
-  EXPECT_EQ(error_of(kVersion + "light_source { 0, 1 area_light x, y, 0, 2 }"), "Area size must be greater than zero.");
+  EXPECT_EQ(rejection_of(kVersion + "light_source { 0, 1 area_light x, y, 0, 2 }"), "Area size must be greater than zero.");
 }
 
 TEST(Lights, LooksLikeStartsFromTheLightsPlace) {
@@ -44,8 +44,8 @@ TEST(Lights, AColorMapSumsUp) {  // case 19
 }
 
 TEST(Lights, TakeNoObjectModifiers) {
-  EXPECT_THAT(error_of(kVersion + "light_source { 0, 1 no_shadow }"), testing::HasSubstr("No matching } in 'light_source'"));
-  EXPECT_EQ(error_of(kVersion + "object { light_source { 0, 1 } no_shadow }"), "");
+  EXPECT_THAT(rejection_of(kVersion + "light_source { 0, 1 no_shadow }"), testing::HasSubstr("No matching } in 'light_source'"));
+  EXPECT_EQ(rejection_of(kVersion + "object { light_source { 0, 1 } no_shadow }"), "");
 }
 
 TEST(Lights, GroupsLetGlobalLightsInOnlyWhenTold) {  // case 20

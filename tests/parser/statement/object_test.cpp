@@ -27,17 +27,17 @@ TEST(Objects, IdentifierAfterAnyKeywordStartsFromThatObject) {
 
 TEST(Objects, BareIdentifiersStandOnlyBehindTheFirstMember) {
   const std::string declare = kVersion + "#declare A = sphere { 0, 1 } #declare B = box { 0, 1 }\n";
-  EXPECT_EQ(error_of(declare + "union { A B }"), "No matching } in 'union', object identifier found instead");
-  EXPECT_EQ(error_of(declare + "union { object { A } B }"), "");
-  EXPECT_EQ(error_of(declare + "B"), "");
+  EXPECT_EQ(rejection_of(declare + "union { A B }"), "No matching } in 'union', object identifier found instead");
+  EXPECT_EQ(rejection_of(declare + "union { object { A } B }"), "");
+  EXPECT_EQ(rejection_of(declare + "B"), "");
 }
 
 TEST(Objects, ErrorsOfCase27) {
-  EXPECT_EQ(error_of(kVersion + "box { -1, 1 pigment { rgb 1 } uv_mapping }"), "uv_mapping must be specified before texture.");
-  EXPECT_THAT(error_of(kVersion + "box { -1, 1 no_shadow off }"), testing::HasSubstr("No matching } in 'box'"));
-  EXPECT_EQ(error_of(kVersion + "light_source { 0 1 radius 9 spotlight }"),
+  EXPECT_EQ(rejection_of(kVersion + "box { -1, 1 pigment { rgb 1 } uv_mapping }"), "uv_mapping must be specified before texture.");
+  EXPECT_THAT(rejection_of(kVersion + "box { -1, 1 no_shadow off }"), testing::HasSubstr("No matching } in 'box'"));
+  EXPECT_EQ(rejection_of(kVersion + "light_source { 0 1 radius 9 spotlight }"),
             "Keyword 'radius' cannot be used with standard light source.");
-  EXPECT_EQ(error_of(kVersion + "sky_sphere { }"), "Empty sky_sphere statement.");
+  EXPECT_EQ(rejection_of(kVersion + "sky_sphere { }"), "Empty sky_sphere statement.");
 }
 
 TEST(Objects, TransformationsCarryTheTexturesWrittenBefore) {
@@ -102,8 +102,8 @@ TEST(Objects, UntexturedObjectsTakeTheDefaultOfTheirUse) {  // case 10
 
 TEST(Objects, ClipsMustBePlainSolids) {
   const std::string message = "Illegal texture or patch in clip, bound or object pattern.";
-  EXPECT_EQ(error_of(kVersion + "sphere { 0, 1 clipped_by { box { 0, 1 pigment { rgb 1 } } } }"), message);
-  EXPECT_EQ(error_of(kVersion + "sphere { 0, 1 clipped_by { triangle { 0, x, y } } }"), message);
+  EXPECT_EQ(rejection_of(kVersion + "sphere { 0, 1 clipped_by { box { 0, 1 pigment { rgb 1 } } } }"), message);
+  EXPECT_EQ(rejection_of(kVersion + "sphere { 0, 1 clipped_by { triangle { 0, x, y } } }"), message);
 }
 
 TEST(Objects, ClipsMoveWithTheirObject) {
@@ -115,12 +115,12 @@ TEST(Objects, ClipsMoveWithTheirObject) {
 }
 
 TEST(Objects, ModifiersOfOtherObjectsAreErrors) {
-  EXPECT_EQ(error_of(kVersion + "sphere { 0, 1 sturm }"), "Keyword 'sturm' cannot be used with this object.");
-  EXPECT_EQ(error_of(kVersion + "sphere { 0, 1 split_union off }"), "split_union found in non-union object.");
-  EXPECT_EQ(error_of(kVersion + "union { sphere { 0, 1 } sphere { 0, 2 } cutaway_textures }"),
+  EXPECT_EQ(rejection_of(kVersion + "sphere { 0, 1 sturm }"), "Keyword 'sturm' cannot be used with this object.");
+  EXPECT_EQ(rejection_of(kVersion + "sphere { 0, 1 split_union off }"), "split_union found in non-union object.");
+  EXPECT_EQ(rejection_of(kVersion + "union { sphere { 0, 1 } sphere { 0, 2 } cutaway_textures }"),
             "cutaway_textures can only be used with intersection and difference.");
   // `inverse` makes an intersection of a union (§7.1).
-  EXPECT_EQ(error_of(kVersion + "union { sphere { 0, 1 } sphere { 0, 2 } inverse cutaway_textures }"), "");
+  EXPECT_EQ(rejection_of(kVersion + "union { sphere { 0, 1 } sphere { 0, 2 } inverse cutaway_textures }"), "");
 }
 
 TEST(Objects, ScaleByZeroIsReplaced) {
@@ -129,9 +129,9 @@ TEST(Objects, ScaleByZeroIsReplaced) {
 
 TEST(Objects, LayersOverPatternedTexturesAreErrors) {
   const std::string patterned = "texture { checker texture { pigment { rgb 1 } } }";
-  EXPECT_EQ(error_of(kVersion + "box { 0, 1 " + patterned + " texture { pigment { rgb 1 } } }"),
+  EXPECT_EQ(rejection_of(kVersion + "box { 0, 1 " + patterned + " texture { pigment { rgb 1 } } }"),
             "Cannot layer over a patterned texture.");
-  EXPECT_EQ(error_of(kVersion + "box { 0, 1 texture { pigment { rgb 1 } } " + patterned + "}"),
+  EXPECT_EQ(rejection_of(kVersion + "box { 0, 1 texture { pigment { rgb 1 } } " + patterned + "}"),
             "Cannot layer a patterned texture over another.");
 }
 
@@ -158,9 +158,9 @@ TEST(Objects, Mesh2FacesMayHaveThreeTextures) {  // case 28
 
 TEST(Objects, Mesh2ChecksItsIndices) {
   const std::string head = kVersion + "mesh2 { vertex_vectors { 3, 0, x, y } ";
-  EXPECT_EQ(error_of(head + "face_indices { 1, <0, 1, 3> } }"), "Mesh face index out of range.");
-  EXPECT_EQ(error_of(head + "face_indices { 0 } }"), "No triangles in triangle mesh.");
-  EXPECT_EQ(error_of(kVersion + "mesh2 { face_indices { 1, <0, 1, 2> } }"), "Vertex vectors not found in mesh2");
+  EXPECT_EQ(rejection_of(head + "face_indices { 1, <0, 1, 3> } }"), "Mesh face index out of range.");
+  EXPECT_EQ(rejection_of(head + "face_indices { 0 } }"), "No triangles in triangle mesh.");
+  EXPECT_EQ(rejection_of(kVersion + "mesh2 { face_indices { 1, <0, 1, 2> } }"), "Vertex vectors not found in mesh2");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ inline Scene scene_of(std::string_view text) {
 }
 
 // The message of the fatal error; empty if the text is accepted.
-inline std::string error_of(std::string_view text) {
+inline std::string rejection_of(std::string_view text) {
   const ParseResult result = read_scene(text);
   return result.ok || result.diagnostics.empty() ? std::string() : result.diagnostics.back().message;
 }

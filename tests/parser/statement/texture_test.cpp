@@ -32,7 +32,7 @@ TEST(Pigments, OldMapEntriesStandForTwo) {  // case 4
 }
 
 TEST(Pigments, MapColorsNeedAColorWord) {
-  EXPECT_THAT(error_of(kVersion + "sphere { 0, 1 pigment { gradient x color_map { [0 <1, 0, 0>] } } }"),
+  EXPECT_THAT(rejection_of(kVersion + "sphere { 0, 1 pigment { gradient x color_map { [0 <1, 0, 0>] } } }"),
               testing::HasSubstr("Expected 'color'"));
 }
 
@@ -71,16 +71,16 @@ TEST(Pigments, MarbleAndWoodBringTheirWave) {
 }
 
 TEST(Pigments, WordsOfOtherPatternsAreErrors) {
-  EXPECT_THAT(error_of(kVersion + "sphere { 0, 1 pigment { bozo agate_turb 2 } }"),
+  EXPECT_THAT(rejection_of(kVersion + "sphere { 0, 1 pigment { bozo agate_turb 2 } }"),
               testing::HasSubstr("Keyword 'agate_turb' can only be used in a agate statement."));
 }
 
 TEST(Pigments, ASecondPatternIsNotUnderstood) {
-  EXPECT_THAT(error_of(kVersion + "sphere { 0, 1 pigment { bozo wood } }"), testing::HasSubstr("No matching } in 'pigment'"));
+  EXPECT_THAT(rejection_of(kVersion + "sphere { 0, 1 pigment { bozo wood } }"), testing::HasSubstr("No matching } in 'pigment'"));
 }
 
 TEST(Pigments, AverageNeedsAMapAndItsWeightsMayBeLeftOut) {
-  EXPECT_EQ(error_of(kVersion + "sphere { 0, 1 pigment { average } }"), "Average must have map.");
+  EXPECT_EQ(rejection_of(kVersion + "sphere { 0, 1 pigment { average } }"), "Average must have map.");
   const Scene scene = scene_of(kVersion + "sphere { 0, 1 pigment { average pigment_map { [bozo] [3 wood] } } }");
   const auto& entries = std::get<PigmentMap>(pigment_of(scene).map).entries;
   ASSERT_EQ(entries.size(), 2u);
@@ -89,7 +89,7 @@ TEST(Pigments, AverageNeedsAMapAndItsWeightsMayBeLeftOut) {
 }
 
 TEST(Normals, NeedAType) {
-  EXPECT_EQ(error_of(kVersion + "sphere { 0, 1 normal { scale 2 } }"), "No normal type given.");
+  EXPECT_EQ(rejection_of(kVersion + "sphere { 0, 1 normal { scale 2 } }"), "No normal type given.");
   const Scene scene = scene_of(kVersion + "sphere { 0, 1 normal { bumps 0.3 scale 2 } }");
   EXPECT_FLOAT_EQ(layer(only_object(scene), 0).normal->amount, 0.3f);
 }
@@ -115,8 +115,8 @@ TEST(Finishes, FresnelReflectionOfOneColorStartsFromZero) {
 }
 
 TEST(Textures, PatternedTexturesNeedAMap) {
-  EXPECT_EQ(error_of(kVersion + "sphere { 0, 1 texture { bozo } }"), "Patterned texture must have texture_map.");
-  EXPECT_EQ(error_of(kVersion + "#default { texture { checker texture { } } }"), "Default texture cannot be material map or tiles.");
+  EXPECT_EQ(rejection_of(kVersion + "sphere { 0, 1 texture { bozo } }"), "Patterned texture must have texture_map.");
+  EXPECT_EQ(rejection_of(kVersion + "#default { texture { checker texture { } } }"), "Default texture cannot be material map or tiles.");
 }
 
 TEST(Textures, TilesAreACheckerWithTheSecondAtZero) {
@@ -135,7 +135,7 @@ TEST(Textures, UpperLayersOfOldScenesDoNotFilter) {  // case 18
 }
 
 TEST(Maps, DensityMapIdentifiersCannotBeUsed) {
-  EXPECT_EQ(error_of(kVersion + "#declare D = density_map { [0 rgb 0] [1 rgb 1] } media { density { bozo density_map { D } } }"),
+  EXPECT_EQ(rejection_of(kVersion + "#declare D = density_map { [0 rgb 0] [1 rgb 1] } media { density { bozo density_map { D } } }"),
             "Must have at least one entry in map.");
 }
 

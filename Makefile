@@ -17,9 +17,10 @@ render/lute.png: build/bin/lute scenes/showcase/lute.pov
 test: setup-test build
 	@ctest --test-dir build --output-on-failure -j 2
 
-# Only what compares with POV-Ray.
+# Everything that compares with POV-Ray, and every example scene (ten minutes the first time).
 conformance: setup-test build
 	@ctest --test-dir build --output-on-failure -L conformance
+	@build/bin/lute-compare state --jobs 2 --output build/conformance
 
 # Both programs on our scenes, side by side: report/report.html.
 report: setup-test build

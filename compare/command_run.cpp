@@ -25,6 +25,8 @@ void write_reports(const std::vector<SceneComparison>& comparisons, const Report
 void add_run_options(CLI::App& command, RunOptions& options) {
   command.add_option("--size", options.size, "Width and height of the pictures");
   command.add_option("--filter", options.filter, "Only scenes whose name has this regular expression");
+  command.add_option("--sample", options.sample, "Only one scene of so many, always the same ones")
+      ->check(CLI::Range(1, 1000));
   command.add_option("--jobs", options.jobs, "Scenes rendered at the same time")->check(CLI::Range(1, 256));
   command.add_option("--output", options.output, "Folder for pictures and reports");
   command.add_option("--lute", options.lute, "The lute program");
@@ -53,7 +55,7 @@ ComparisonSettings settings_of(const RunOptions& options) {
 
 std::vector<SceneComparison> run_scenes(const RunOptions& options, const std::vector<std::string>& arguments,
                                         ReportContext& context) {
-  const std::vector<SceneFile> scenes = find_scenes(arguments, options.filter);
+  const std::vector<SceneFile> scenes = sample_scenes(find_scenes(arguments, options.filter), options.sample);
   if (scenes.empty()) throw std::runtime_error("no scene to render");
   const ReferenceCache cache(ReferenceCache::default_folder(), options.povray);
   const ReferenceNoiseTable noise =

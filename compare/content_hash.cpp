@@ -27,6 +27,8 @@ std::string ContentHash::hex() const {
   return digits.data();
 }
 
+std::uint64_t number_of(std::string_view text) { return OIIO::xxhash::XXH64(text.data(), text.size(), 0); }
+
 std::string read_file(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw std::runtime_error("cannot read " + path.string());

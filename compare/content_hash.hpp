@@ -2,6 +2,7 @@
 // the switches and the version of the program.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ class ContentHash {
  private:
   std::string text_;
 };
+
+// The same number for the same text on every machine.
+std::uint64_t number_of(std::string_view text);
 
 // The whole file; throws std::runtime_error when it cannot be read.
 std::string read_file(const std::filesystem::path& path);

@@ -13,6 +13,7 @@ namespace lute::compare {
 struct RunOptions {
   std::string size = "160x120";
   std::string filter;
+  int sample = 1;  // every how-manieth scene
   int jobs = 1;
   std::string output = "lute-compare";
   std::string lute = "lute";

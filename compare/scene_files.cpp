@@ -4,6 +4,8 @@
 #include <regex>
 #include <stdexcept>
 
+#include "compare/content_hash.hpp"
+
 namespace lute::compare {
 namespace fs = std::filesystem;
 
@@ -25,6 +27,12 @@ std::vector<SceneFile> find_scenes(const std::vector<std::string>& arguments, co
     std::erase_if(scenes, [&](const SceneFile& scene) { return !std::regex_search(scene.name, wanted); });
   }
   std::sort(scenes.begin(), scenes.end(), [](const SceneFile& a, const SceneFile& b) { return a.name < b.name; });
+  return scenes;
+}
+
+std::vector<SceneFile> sample_scenes(std::vector<SceneFile> scenes, int one_of) {
+  const auto modulus = static_cast<std::uint64_t>(one_of);
+  std::erase_if(scenes, [&](const SceneFile& scene) { return number_of(scene.name) % modulus != 0; });
   return scenes;
 }
 

@@ -17,4 +17,7 @@ struct SceneFile {
 // not exist.
 std::vector<SceneFile> find_scenes(const std::vector<std::string>& arguments, const std::string& filter = "");
 
+// About one scene of `one_of`. A scene is in or out by its name alone, so that new scenes do not change who is.
+std::vector<SceneFile> sample_scenes(std::vector<SceneFile> scenes, int one_of);
+
 }  // namespace lute::compare

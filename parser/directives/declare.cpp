@@ -1,4 +1,6 @@
 // #declare #local #undef, and what may stand on the right of their `=`. Source: specification chapter 10 §3.
+#include <algorithm>
+
 #include "parser/directives/directive.hpp"
 #include "parser/expression/expression.hpp"
 #include "parser/expression/nesting.hpp"
@@ -234,6 +236,12 @@ void run_declare(Session& session, bool local) {
     session.fail_expected("undeclared identifier", name);
   }
   const NameId id = name.token.index;
+  // The scope is that of the directive, not that of a macro whose call is the value and which has not ended yet.
+  std::uint32_t table = session.symbols.newest();
+  if (!local) {
+    const SymbolTable::Entry* known = session.symbols.find(id);
+    table = known != nullptr ? known->table : 0;
+  }
   if (deprecation && deprecation->message.empty()) {
     deprecation->message = "Identifier '" + std::string(session.names.text(id)) + "' was declared deprecated.";
   }
@@ -258,14 +266,15 @@ void run_declare(Session& session, bool local) {
     set_element(session, *array, *element, std::move(*value.slot));
     return;
   }
-  SymbolTable::Entry* entry = local ? session.symbols.find_in_newest(id) : session.symbols.find(id);
+  table = std::min(table, session.symbols.newest());  // the value may have ended the scope
+  SymbolTable::Entry* entry = session.symbols.find_in(id, table);
   if (entry != nullptr) {
     assign(session, *entry->slot, std::move(*value.slot));
   } else {
     Value fresh;
     assign(session, fresh, std::move(*value.slot));
     *value.slot = std::move(fresh);
-    entry = &session.symbols.add(id, local ? session.symbols.newest() : 0, std::move(value.slot));
+    entry = &session.symbols.add(id, table, std::move(value.slot));
   }
   if (deprecation) entry->deprecation = std::move(deprecation);
 }

@@ -52,18 +52,24 @@ void dispatch(Session& session, Word word) {
   }
 }
 
+// A `#` without a directive means nothing, unless a number comes next. What is behind the `#` is reported, not the `#`.
+void pass_over_hash(Session& session) {
+  ++session.stream.frames.back().cursor;
+  ++session.stream.events;
+  const Item next = session.stream.peek_raw();
+  if (printed_name(session, next).starts_with("float function")) session.fail_expected("object or directive.", next);
+}
+
 }  // namespace
 
-bool run_directive(Session& session) {
+void run_directive(Session& session) {
   TokenStream& stream = session.stream;
   TokenFrame& frame = stream.frames.back();
   const Token* const hash = frame.cursor;
   const Token* const keyword = hash + 1;
   if (keyword == frame.end || keyword->kind != TokenKind::kWord || !is_directive(keyword->word)) {
-    // What is behind the `#` is reported, not the `#`: "Expected 'object or directive', undeclared identifier 'foo' found".
-    if (keyword != frame.end) ++frame.cursor;
-    const Item found = stream.peek_raw();
-    session.fail_expected("object or directive", found);
+    pass_over_hash(session);
+    return;
   }
   frame.cursor = keyword + 1;
   stream.last_file = frame.file->index;
@@ -77,7 +83,6 @@ bool run_directive(Session& session) {
   dispatch(session, word);
   --session.nested_directives;
   stream.unread();
-  return true;
 }
 
 }  // namespace lute

@@ -5,8 +5,8 @@
 
 namespace lute {
 
-// Executes the directive whose `#` is next in the innermost frame. False, and nothing taken, if what follows `#` is no directive.
-bool run_directive(Session& session);
+// Executes the directive whose `#` is next in the innermost frame. Without a directive behind it the `#` is passed over.
+void run_directive(Session& session);
 
 // conditional.cpp
 void run_if(Session& session);

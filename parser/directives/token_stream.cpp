@@ -117,8 +117,9 @@ void TokenStream::fetch(bool directives_allowed) {
     item.source = frame.cursor;
     switch (item.token.kind) {
       case TokenKind::kHash:
-        if (directives_allowed && run_directive(session_)) continue;
-        break;
+        if (!directives_allowed) break;
+        run_directive(session_);
+        continue;
       case TokenKind::kEnd:
         if (!conditionals.empty()) session_.fail_at("End of file reached but #end expected.", "missing-end", item);
         window_[0] = std::move(item);

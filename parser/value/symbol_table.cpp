@@ -4,6 +4,13 @@
 
 namespace lute {
 
+SymbolTable::Entry* SymbolTable::find_in(NameId name, std::uint32_t table) {
+  if (name >= entries_.size()) return nullptr;
+  for (Entry& entry : entries_[name])
+    if (entry.table == table) return &entry;
+  return nullptr;
+}
+
 SymbolTable::Entry& SymbolTable::add(NameId name, std::uint32_t table, Slot slot) {
   if (name >= entries_.size()) entries_.resize(std::max<std::size_t>(name + 1, entries_.size() * 2));
   std::vector<Entry>& stack = entries_[name];

@@ -45,6 +45,8 @@ class SymbolTable {
     return entry != nullptr && entry->table == newest() ? entry : nullptr;
   }
 
+  Entry* find_in(NameId name, std::uint32_t table);
+
   // A new entry in a table that has none of that name. Returns it.
   Entry& add(NameId name, std::uint32_t table, Slot slot);
   void remove(NameId name);  // the innermost entry

@@ -46,6 +46,19 @@ TEST(Macro, SuppliesTokensNotAValue) {
   EXPECT_EQ(values("#macro M() 5 #end #declare A=M(); P(A)"), "5.000000\n");
 }
 
+TEST(Macro, AsAValueLeavesTheNameInTheScopeOfItsDirective) {
+  // The value's macro has not ended when the value is complete: as in transforms.inc, Spline_Trans.
+  EXPECT_EQ(values("#macro V() sphere { 0, 1 } #end #macro Out() #local S = V() #ifdef(S) P(1) #end #end Out()"), "1.000000\n");
+  EXPECT_EQ(values("#macro V() 5; #end #macro Out() #local L = V() P(L) #end Out() #ifdef(L) P(9) #end"), "5.000000\n");
+  EXPECT_EQ(values("#macro V() #local L = 1; L + 1; #end #declare L = 0; #declare L = V() P(L)"), "2.000000\n");
+}
+
+TEST(Hash, WithoutADirectiveIsPassedOver) {  // the reference's binary: only a number behind it is an error
+  EXPECT_TRUE(read_text("camera { location <0,0,-4># } # sphere { 0, 1 # }").ok);
+  EXPECT_EQ(error_of("sphere { 0, # 1 }"), "Expected 'object or directive.', float function 'float constant' found instead");
+  EXPECT_EQ(error_of("# foo"), "Expected 'object or directive', undeclared identifier 'foo' found instead");
+}
+
 TEST(Macro, SeesTheLocalsOfItsCaller) {
   EXPECT_EQ(values("#macro In() P(L) #declare L=2; #end #macro Out() #local L=1; In() P(L) #end Out() #ifdef(L) P(9) #end"),
             "1.000000\n2.000000\n");

@@ -89,7 +89,7 @@ TEST(Pigments, AverageNeedsAMapAndItsWeightsMayBeLeftOut) {
 }
 
 TEST(Normals, NeedAType) {
-  EXPECT_EQ(rejection_of(kVersion + "sphere { 0, 1 normal { scale 2 } }"), "No normal type given.");
+  EXPECT_TRUE(warns(kVersion + "sphere { 0, 1 normal { scale 2 } }", "No normal type given."));
   const Scene scene = scene_of(kVersion + "sphere { 0, 1 normal { bumps 0.3 scale 2 } }");
   EXPECT_FLOAT_EQ(layer(only_object(scene), 0).normal->amount, 0.3f);
 }

@@ -1,5 +1,5 @@
 # Thin: each target installs what is missing, builds, runs. A second run does nothing twice.
-.PHONY: build render test conformance report bench setup setup-test setup-bench
+.PHONY: build render test conformance coverage report bench setup setup-test setup-bench
 
 build: build/build.ninja
 	@cmake --build build
@@ -21,6 +21,10 @@ test: setup-test build
 conformance: setup-test build
 	@ctest --test-dir build --output-on-failure -L conformance
 	@build/bin/lute-compare state --jobs 2 --output build/conformance
+
+# What of the language renders as in POV-Ray: docs/coverage.md.
+coverage: setup-test build
+	@build/bin/lute-compare coverage --jobs 2 --output build/coverage --page docs/coverage.md
 
 # Both programs on our scenes, side by side: report/report.html.
 report: setup-test build

@@ -12,6 +12,7 @@ constexpr int kExitMatch = 0, kExitDiffers = 1, kExitUsage = 2;
 void add_diff_command(CLI::App& app, int& exit_code);
 void add_run_command(CLI::App& app, int& exit_code);
 void add_state_command(CLI::App& app, int& exit_code);
+void add_coverage_command(CLI::App& app, int& exit_code);
 void add_sweep_command(CLI::App& app, int& exit_code);
 
 // "160x120" → width and height; throws CLI::ValidationError.

@@ -35,19 +35,29 @@ ColorMap map_of(const Square&) { return list({rgb(1, 0, 0), rgb(0, 1, 0), rgb(0,
 ColorMap six_colors() { return list({rgb(1, 0, 0), rgb(0, 1, 0), rgb(0, 0, 1), rgb(1, 1, 0), rgb(0, 1, 1), rgb(1, 0, 1)}); }
 ColorMap map_of(const Triangular&) { return six_colors(); }
 ColorMap map_of(const Cubic&) { return six_colors(); }
+ColorMap map_of(const Mandel&) {
+  return {{{0.001f, rgb(0, 0, 0)}, {0.001f, rgb(0, 1, 1)}, {0.012f, rgb(1, 1, 0)}, {0.015f, rgb(1, 0, 1)}, {0.1f, rgb(0, 1, 1)}}};
+}
+
+// Only the classic set, of exponent 2, has its own colours.
+bool has_plain_colors(const PatternBody& body) {
+  const auto* pattern = std::get_if<AnyPattern>(&body.pattern);
+  if (pattern == nullptr) return true;
+  const auto* mandel = std::get_if<Mandel>(pattern);
+  return mandel != nullptr && mandel->exponent != 2;
+}
 
 }  // namespace
 
 const ColorMap& default_color_map(const PatternBody& body) {
   static const ColorMap black_to_white{{{0, rgb(0, 0, 0)}, {1, rgb(1, 1, 1)}}};
-  const auto* pattern = std::get_if<AnyPattern>(&body.pattern);
-  if (pattern == nullptr) return black_to_white;
+  if (has_plain_colors(body)) return black_to_white;
   return std::visit(
       [](const auto& p) -> const ColorMap& {
         static const ColorMap map = map_of(p);
         return map;
       },
-      *pattern);
+      std::get<AnyPattern>(body.pattern));
 }
 
 }  // namespace lute

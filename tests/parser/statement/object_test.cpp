@@ -50,6 +50,14 @@ TEST(Objects, TransformationsCarryTheTexturesWrittenBefore) {
   EXPECT_TRUE(layer(sphere, 0).normal->body.warps.empty());
 }
 
+TEST(Objects, TransformationsBeforeTheFirstTextureItemCarryNothing) {
+  const Scene scene = scene_of(kVersion + "#default { pigment { gradient y } } box { -1, 1 scale 5 finish { diffuse 1 } pigment { gradient x } }");
+  EXPECT_TRUE(only_object(scene).texture.placement.identity());
+  EXPECT_TRUE(layer(only_object(scene), 0).pigment->body.warps.empty());
+  const Scene by_default = scene_of(kVersion + "#default { pigment { gradient y } } box { -1, 1 scale 5 finish { diffuse 1 } }");
+  EXPECT_TRUE(layer(only_object(by_default), 0).pigment->body.warps.empty());
+}
+
 TEST(Objects, UvMappedTexturesStayWhenTheObjectMoves) {
   const Scene scene = scene_of(kVersion + "sphere { 0, 1 uv_mapping pigment { gradient x } translate x }");
   EXPECT_TRUE(only_object(scene).texture.placement.identity());

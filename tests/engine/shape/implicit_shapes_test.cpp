@@ -157,6 +157,22 @@ TEST(Quadric, ParaboloidAndItsInside) {
   EXPECT_FALSE(shape->bounds().is_finite());
 }
 
+// A cylinder's matrix is singular; no rotation may make a small ellipsoid of it by rounding.
+TEST(Quadric, RotatedCylinderStaysUnbounded) {
+  for (int degrees = -180; degrees <= 180; ++degrees) {
+    const Transform turn = Transform::rotate({degrees * 0.37, -75.0 + degrees, degrees * 0.11}).then(Transform::translate({0, -3, 25}));
+    const auto cylinder = make(Quadric{{0, 1, 1}, {0, 0, 0}, {0, 0, 0}, -1}, turn);
+    EXPECT_EQ(cylinder->bounds().volume(), Aabb::infinite().volume()) << degrees;
+    EXPECT_EQ(cylinder->bounds().lo.x, Aabb::infinite().lo.x) << degrees;
+  }
+  // The same with the rotation written into the coefficients: (y cos a + x sin a)² + z² = 1.
+  for (int degrees = 1; degrees < 90; ++degrees) {
+    const double c = std::cos(degrees * 0.0174), s = std::sin(degrees * 0.0174);
+    const auto cylinder = make(Quadric{{s * s, c * c, 1}, {2 * s * c, 0, 0}, {0, 0, 0}, -1});
+    EXPECT_EQ(cylinder->bounds().lo.x, Aabb::infinite().lo.x) << degrees;
+  }
+}
+
 TEST(Quadric, TransformedEllipsoidHasTightBounds) {
   const auto shape = make(Quadric{{1, 1, 1}, {0, 0, 0}, {0, 0, 0}, -1},
                           Transform::scale({1, 2, 3}).then(Transform::rotate({0, 90, 0})).then(Transform::translate({5, 0, 0})));

@@ -67,6 +67,7 @@ PrismOutline bezier_outline(const std::vector<dvec2>& p) {
 struct PrismSegment {
   PlanarSegment curve;
   Interval x, z;
+  dvec2 from, to;
 };
 
 enum Part : std::uint32_t { kCaps, kFirstSegment };
@@ -83,10 +84,11 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     degree_ = prism.spline == PlanarSpline::kLinear ? 1 : prism.spline == PlanarSpline::kQuadratic ? 2 : 3;
     x_ = z_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const PlanarSegment& curve : prism_outline(prism).segments) {
-      segments_.push_back({curve, curve.range(0), curve.range(1)});
+      segments_.push_back({curve, curve.range(0), curve.range(1), curve.at(0), curve.at(1)});
       x_ = {std::min(x_.lo, segments_.back().x.lo), std::max(x_.hi, segments_.back().x.hi)};
       z_ = {std::min(z_.lo, segments_.back().z.lo), std::max(z_.hi, segments_.back().z.hi)};
     }
+    join_corners();
   }
 
   template <class Sink>
@@ -147,6 +149,15 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
   }
 
  private:
+  // Gives segments that meet the same corner, to the last bit.
+  void join_corners() {
+    for (std::size_t i = 0, start = 0; i < segments_.size(); ++i) {
+      const bool last = i + 1 == segments_.size() || same_point(segments_[i].to, segments_[start].from);
+      segments_[i].to = segments_[last ? start : i + 1].from;
+      if (last) start = i + 1;
+    }
+  }
+
   bool in_section(double x, double z, double height) const {
     if (!conic_) return in_outline(x, z);
     return std::abs(height) > kEpsilon && in_outline(x / height, z / height);
@@ -183,6 +194,7 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     const dvec3& p = ray.origin;
     const dvec3& d = ray.direction;
     if (std::abs(d.x) <= kEpsilon && std::abs(d.z) <= kEpsilon) return;
+    if (degree_ == 1) return scan_straight_side(segment, ray, emit);
     // The four corners of the segment's rectangle on one side of the ray's line: no hit.
     const auto side = [&](double x, double z) { return d.z * (x - p.x) - d.x * (z - p.z); };
     const double s[] = {side(segment.x.lo, segment.z.lo), side(segment.x.hi, segment.z.lo), side(segment.x.lo, segment.z.hi),
@@ -200,6 +212,21 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
       const dvec2 at = segment.curve.at(w);
       emit(std::abs(d.x) > std::abs(d.z) ? (at.x - p.x) / d.x : (at.y - p.z) / d.z, w);
     }
+  }
+
+  // A straight segment is hit where its ends lie on different sides of the ray's line; what lies on the line counts with one of
+  // them. Segments that meet compute the same number for the corner they share, so that a ray through it hits exactly one of them,
+  // or none or both where the outline only touches the line, and of two prisms side by side exactly one.
+  template <class Emit>
+  void scan_straight_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
+    const dvec3& p = ray.origin;
+    const dvec3& d = ray.direction;
+    const auto side = [&](const dvec2& at) { return d.z * (at.x - p.x) - d.x * (at.y - p.z); };
+    const double from = side(segment.from), to = side(segment.to);
+    if ((from >= 0) == (to >= 0)) return;
+    const double w = from / (from - to);
+    const dvec2 at = segment.from + w * (segment.to - segment.from);
+    emit(std::abs(d.x) > std::abs(d.z) ? (at.x - p.x) / d.x : (at.y - p.z) / d.z, w);
   }
 
   template <class Emit>

@@ -1,6 +1,8 @@
 // Expected numbers: specification chapter 20 §12, check cases 2 and 3.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "engine/shape/lathe.hpp"
 #include "engine/shape/ovus.hpp"
 #include "engine/shape/prism.hpp"
@@ -77,6 +79,28 @@ TEST(Prism, TracesEverySpline) {
       -0.728768, dvec3(-0.170617, 0, 0.985337));
   EXPECT_FRONT(prism(PlanarSpline::kLinear, .5, {{-1, -1}, {1, -1}, {.5, 1}, {-1, 1}, {-1, -1}}, true), .25, .75, -0.75,
                dvec3(0, -0.707107, -0.707107));
+}
+
+// The number of surfaces that a ray crosses is even, through corners and along sides too; of two prisms that share a side, a ray in
+// that side meets one.
+TEST(Prism, RaysThroughCornersCrossTheOutlineAnEvenNumberOfTimes) {
+  const auto crossings = [](const Shape& shape, const dvec3& from, const dvec3& to) {
+    ShapeHits hits;
+    shape.hits({from, glm::normalize(to - from)}, {1e-4, 1e6}, hits);
+    return hits.size();
+  };
+  const auto left = make(prism(PlanarSpline::kLinear, 0, {{-1, -1}, {.1, -1}, {.1, 1}, {-1, 1}, {-1, -1}}));
+  const auto right = make(prism(PlanarSpline::kLinear, 0, {{.1, -1}, {2, -.9}, {2, .7}, {.1, 1}, {.1, -1}}));
+  EXPECT_EQ(crossings(*left, {.1, .5, -5}, {.1, .5, 5}) + crossings(*right, {.1, .5, -5}, {.1, .5, 5}), 2u);
+
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int i = 0; i < 2000; ++i) {
+    const dvec2 a(any(random), any(random)), b(any(random), any(random)), c(any(random), any(random));
+    const auto triangle = make(prism(PlanarSpline::kLinear, 0, {a, b, c, a}));
+    const dvec3 from(4 * any(random), .5, 4 * any(random));
+    EXPECT_EQ(crossings(*triangle, from, {a.x, .5, a.y}) % 2, triangle->inside(from) ? 1u : 0u) << i;
+  }
 }
 
 TEST(Prism, ContainsItsBaseButNotItsTop) {

@@ -26,10 +26,13 @@ ReferenceNoiseTable::ReferenceNoiseTable(const std::filesystem::path& csv) {
   }
 }
 
-std::optional<ReferenceNoise> ReferenceNoiseTable::find(const std::string& scene) const {
-  const auto row = rows_.find(scene);
-  if (row == rows_.end()) return {};
-  return row->second;
+std::optional<ReferenceNoise> ReferenceNoiseTable::find(const std::filesystem::path& scene) const {
+  for (auto first = scene.begin(); first != scene.end(); ++first) {
+    std::filesystem::path tail;
+    for (auto part = first; part != scene.end(); ++part) tail /= *part;
+    if (const auto row = rows_.find(tail.generic_string()); row != rows_.end()) return row->second;
+  }
+  return {};
 }
 
 bool matches(const Difference& difference, const std::optional<ReferenceNoise>& noise) {

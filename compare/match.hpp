@@ -27,14 +27,15 @@ struct ReferenceNoise {
   double within = 1, rmse = 0, block98_255 = 0;
 };
 
-// Scene name (relative to the folder of the example scenes) → noise; the file's columns are scene, within_2_255, rmse,
+// Scene (its path in the folder of the example scenes) → noise; the file's columns are scene, within_2_255, rmse,
 // block98_255. Throws std::runtime_error when the file cannot be read.
 class ReferenceNoiseTable {
  public:
   ReferenceNoiseTable() = default;
   explicit ReferenceNoiseTable(const std::filesystem::path& csv);
 
-  std::optional<ReferenceNoise> find(const std::string& scene) const;
+  // The row that `scene` ends with, folder by folder: the same whether a single file or a folder was asked for.
+  std::optional<ReferenceNoise> find(const std::filesystem::path& scene) const;
   std::size_t size() const { return rows_.size(); }
 
  private:

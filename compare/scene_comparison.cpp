@@ -93,7 +93,7 @@ SceneComparison compare_scene(const SceneFile& scene, const ReferenceCache& cach
                               const ComparisonSettings& settings) {
   SceneComparison comparison;
   comparison.scene = scene;
-  comparison.noise = noise.find(scene.name);
+  comparison.noise = noise.find(fs::absolute(scene.path).lexically_normal());
   comparison.reference = cache.get(scene.path, settings.reference, settings.measure_again);
   if (comparison.reference.outcome == RenderOutcome::kTimedOut) {
     comparison.state = SceneState::kReferenceTimeout;

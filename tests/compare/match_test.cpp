@@ -38,6 +38,9 @@ TEST(ReferenceNoiseTable, HoldsTheScenesThatDifferFromThemselves) {
   ASSERT_TRUE(table.find("lights/orient.pov"));
   EXPECT_DOUBLE_EQ(table.find("lights/orient.pov")->rmse, 0.01423);
   EXPECT_FALSE(table.find("lights/nothing.pov"));
+  EXPECT_TRUE(table.find("/some/where/examples/lights/orient.pov"));
+  EXPECT_FALSE(table.find("orient.pov"));
+  EXPECT_FALSE(table.find("spotlights/orient.pov"));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ bool certainly_opaque(const Pigment& p) {
     return std::ranges::all_of(pigments->entries, [](const auto& e) { return certainly_opaque(*e.value); });
   if (std::holds_alternative<NoPattern>(p.body.pattern)) return true;
   if (const auto* any = std::get_if<AnyPattern>(&p.body.pattern))
-    if (const auto* image = std::get_if<ImageMap>(any)) return !image->mapping.once && is_opaque(*image);
+    if (const auto* image = std::get_if<ImageMap>(any)) return is_opaque(*image);
   const auto& entries = default_color_map(p.body).entries;
   return std::ranges::none_of(entries, [](const auto& e) { return lets_through(e.value); });
 }

@@ -54,7 +54,7 @@ double evaluate(const ImageMap& pattern, const dvec3& p, const PatternContext&) 
 bool is_opaque(const ImageMap& pattern) {
   const ImageTransparency& t = pattern.transparency;
   const auto some = [](const std::pair<int, float>& v) { return v.second != 0; };
-  return !pattern.mapping.image->has_alpha() && t.filter_all.value_or(0.0f) == 0 && t.transmit_all.value_or(0.0f) == 0 &&
+  return !pattern.mapping.once && !pattern.mapping.image->has_alpha() && t.filter_all.value_or(0.0f) == 0 && t.transmit_all.value_or(0.0f) == 0 &&
          std::none_of(t.filter_of.begin(), t.filter_of.end(), some) &&
          std::none_of(t.transmit_of.begin(), t.transmit_of.end(), some);
 }

@@ -18,7 +18,8 @@ double evaluate(const ImageMap& pattern, const dvec3& point, const PatternContex
 
 // False outside a `once` image: the colour is then rgb 1, transmit 1.
 bool map_color(const ImageMap& pattern, const dvec3& point, Color& color);
-// No pixel of it lets light through.
+
+// No point of it lets light through: not a pixel, nor the clear outside of a `once` image.
 bool is_opaque(const ImageMap& pattern);
 
 }  // namespace lute

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/image/format_library.hpp"
+#include "engine/image/gif_reader.hpp"
 #include "engine/image/png_reader.hpp"
 
 namespace lute {
@@ -72,6 +73,28 @@ std::shared_ptr<Image> make_png(const std::string& path, const ImageFileOptions&
   return std::make_shared<Image>(png.width, png.height, png.channels, std::move(png.bytes), std::move(decoded));
 }
 
+std::shared_ptr<Image> make_gif(const std::string& path, const ImageFileOptions& options, std::string& error) {
+  GifContent gif;
+  if (!read_gif(path, gif, error)) return nullptr;
+  const Convert convert = conversion(options, curve_of_format("gif", options));
+  for (Image::Pixel& p : gif.palette) p.rgb = {convert(p.rgb.r), convert(p.rgb.g), convert(p.rgb.b)};
+  return std::make_shared<Image>(gif.width, gif.height, std::move(gif.indices), std::move(gif.palette));
+}
+
+// The heights of a POT file as a grey picture: high bytes to the left, low bytes to the right.
+std::shared_ptr<Image> make_pot(const std::string& path, const ImageFileOptions& options, std::string& error) {
+  GifContent gif;
+  if (!read_gif(path, gif, error)) return nullptr;
+  const int width = gif.width / 2;
+  std::vector<std::uint16_t> heights;
+  for (int row = 0; row < gif.height; ++row)
+    for (int column = 0; column < width; ++column) {
+      const std::uint8_t* high = &gif.indices[static_cast<std::size_t>(row) * static_cast<std::size_t>(gif.width) + static_cast<std::size_t>(column)];
+      heights.push_back(static_cast<std::uint16_t>(256 * high[0] + high[width]));
+    }
+  return std::make_shared<Image>(width, gif.height, 1, std::move(heights), table(65536, conversion(options, std::nullopt)));
+}
+
 template <class Integer>
 std::vector<Integer> integers(const std::vector<float>& values) {
   constexpr float kMaximum = static_cast<float>(std::numeric_limits<Integer>::max());
@@ -132,7 +155,8 @@ ImagePtr ImageFiles::load(const std::string& path, const ImageFileOptions& optio
   const auto key = std::make_pair(path, options);
   if (const auto it = loaded_.find(key); it != loaded_.end()) return it->second;
   const std::string type = options.type.empty() ? image_type_of(path) : options.type;
-  const std::shared_ptr<Image> image = type == "png" ? make_png(path, options, error) : make_other(path, options, error);
+  const auto make = type == "png" ? make_png : type == "gif" ? make_gif : type == "pot" ? make_pot : make_other;
+  const std::shared_ptr<Image> image = make(path, options, error);
   if (image == nullptr) return nullptr;
   if (options.premultiplied) image->set_premultiplied(*options.premultiplied);
   return loaded_[key] = image;

@@ -1,0 +1,11 @@
+// interior_texture: seen from inside the surface.
+// lute scenes/feature/csg/interior_texture.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+background { rgb <0.2, 0.25, 0.3> }
+camera { location <0, 2, -6> right 4 / 3 * x look_at 0 angle 36 }
+light_source { <-4, 6, -8> rgb 1 }
+#default { pigment { rgb <1, 0.8, 0.5> } finish { ambient 0.2 diffuse 0.7 phong 0.3 } }
+
+difference { sphere { 0, 1 } box { <-0.3, -0.3, -2>, <0.3, 0.3, 2> } texture { pigment { rgb <1, 0.8, 0.5> } } interior_texture { pigment { rgb <0.3, 0.4, 1> } } translate -1.1 * x }
+cone { <0, -0.8, 0>, 0.8, <0, 0.8, 0>, 0.3 open texture { pigment { rgb <1, 0.8, 0.5> } } interior_texture { pigment { rgb <0.3, 0.4, 1> } } rotate <-50, 0, 20> translate 1.1 * x }

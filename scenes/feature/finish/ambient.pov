@@ -1,0 +1,14 @@
+// ambient: light from everywhere, with the colour of the pigment.
+// lute scenes/feature/finish/ambient.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 6 }
+background { rgb <0.2, 0.25, 0.3> }
+camera { location <0, 1.5, -6> right 4 / 3 * x look_at 0 angle 38 }
+light_source { <-4, 6, -8> rgb 1 }
+plane { y, -1 pigment { checker rgb 0.9, rgb <0.3, 0.5, 0.7> } }
+#macro Ball(X, Finish) sphere { <X, 0, 0>, 0.6 pigment { rgb <1, 0.6, 0.3> } finish { Finish } } #end
+#declare Plain = finish { ambient 0.1 diffuse 0.6 }
+
+Ball(-1.4, finish { ambient 0 diffuse 0.6 })
+Ball(0, finish { ambient 0.4 diffuse 0.6 })
+Ball(1.4, finish { ambient rgb <0.1, 0.2, 0.9> diffuse 0.6 })

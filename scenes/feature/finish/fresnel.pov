@@ -1,0 +1,14 @@
+// reflection with fresnel, and conserve_energy: they need an ior.
+// lute scenes/feature/finish/fresnel.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 6 }
+background { rgb <0.2, 0.25, 0.3> }
+camera { location <0, 1.5, -6> right 4 / 3 * x look_at 0 angle 38 }
+light_source { <-4, 6, -8> rgb 1 }
+plane { y, -1 pigment { checker rgb 0.9, rgb <0.3, 0.5, 0.7> } }
+#macro Ball(X, Finish) sphere { <X, 0, 0>, 0.6 pigment { rgb <1, 0.6, 0.3> } finish { Finish } } #end
+#declare Plain = finish { ambient 0.1 diffuse 0.6 }
+
+sphere { <-1.4, 0, 0>, 0.6 pigment { rgb <1, 0.6, 0.3> } finish { reflection { 0, 1 fresnel } ambient 0.1 } interior { ior 1.5 } }
+sphere { <0, 0, 0>, 0.6 pigment { rgbf <1, 0.9, 0.8, 0.8> } finish { reflection { 0.1, 0.9 fresnel } conserve_energy ambient 0.1 } interior { ior 1.3 } }
+sphere { <1.4, 0, 0>, 0.6 pigment { rgbt <1, 0.9, 0.8, 0.8> } finish { reflection 0.5 conserve_energy ambient 0.1 } interior { ior 1.2 } }

@@ -1,0 +1,14 @@
+// fade_distance, fade_power and fade_color: glass that takes light away by its depth.
+// lute scenes/feature/interior/fade.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 6 }
+background { rgb <0.2, 0.25, 0.3> }
+camera { location <0, 1.5, -6> right 4 / 3 * x look_at 0 angle 38 }
+light_source { <-4, 6, -8> rgb 1 }
+plane { y, -1 pigment { checker rgb 0.9, rgb <0.3, 0.5, 0.7> } }
+#macro Ball(X, Finish) sphere { <X, 0, 0>, 0.6 pigment { rgb <1, 0.6, 0.3> } finish { Finish } } #end
+#declare Plain = finish { ambient 0.1 diffuse 0.6 }
+
+sphere { <-1.4, 0, 0>, 0.6 pigment { rgbt <1, 1, 1, 0.95> } finish { ambient 0 diffuse 0.1 specular 0.5 } interior { ior 1.1 fade_distance 0.5 fade_power 1 } }
+sphere { <0, 0, 0>, 0.6 pigment { rgbt <1, 1, 1, 0.95> } finish { ambient 0 diffuse 0.1 specular 0.5 } interior { ior 1.1 fade_distance 0.4 fade_power 2 fade_color <0.9, 0.2, 0.1> } }
+sphere { <1.4, 0, 0>, 0.6 pigment { rgbt <1, 1, 1, 0.95> } finish { ambient 0 diffuse 0.1 specular 0.5 } interior { ior 1.1 fade_distance 0.3 fade_power 1001 fade_color <0.1, 0.8, 0.2> } }

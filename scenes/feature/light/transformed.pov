@@ -1,0 +1,12 @@
+// lights are moved like objects.
+// lute scenes/feature/light/transformed.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 3, -6> right 4 / 3 * x look_at <0, 0, 0> angle 40 }
+#default { finish { ambient 0.05 diffuse 0.8 } }
+plane { y, -1 pigment { rgb 0.9 } hollow }
+sphere { <-1, -0.2, 0>, 0.7 pigment { rgb <1, 0.7, 0.5> } finish { phong 0.6 } }
+box { <0.4, -1, -0.4>, <1.2, 0.3, 0.4> pigment { rgb <0.5, 0.9, 0.5> } rotate 20 * y }
+
+light_source { 0 rgb 1 spotlight point_at -y radius 15 falloff 30 rotate 30 * z translate <-2, 4, -1> }
+light_source { 0 rgb 0.6 area_light x, y, 3, 3 rotate 45 * x translate <3, 4, -2> }

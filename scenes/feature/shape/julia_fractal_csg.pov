@@ -1,0 +1,10 @@
+// julia_fractal in CSG: merged with a sphere, its inside test hides what lies in it.
+// lute scenes/feature/shape/julia_fractal_csg.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+background { rgb <0.2, 0.25, 0.3> }
+camera { location <0, 2, -6> right 4 / 3 * x look_at 0 angle 36 }
+light_source { <-4, 6, -8> rgb 1 }
+#default { pigment { rgb <1, 0.8, 0.5> } finish { ambient 0.2 diffuse 0.7 phong 0.3 } }
+
+merge { julia_fractal { <-0.083, 0, -0.83, -0.025> quaternion sqr max_iteration 7 precision 20 } sphere { <0.3, 0.2, -0.2>, 0.55 pigment { rgbt <0.3, 0.4, 1, 0.5> } } rotate 30 * y scale 1.1 }

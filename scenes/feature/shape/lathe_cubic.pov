@@ -1,0 +1,11 @@
+// lathe, cubic_spline: smooth, first and last points are control points; with sturm and uv_mapping.
+// lute scenes/feature/shape/lathe_cubic.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+background { rgb <0.2, 0.25, 0.3> }
+camera { location <0, 2, -6> right 4 / 3 * x look_at 0 angle 36 }
+light_source { <-4, 6, -8> rgb 1 }
+#default { pigment { rgb <1, 0.8, 0.5> } finish { ambient 0.2 diffuse 0.7 phong 0.3 } }
+
+lathe { cubic_spline 7, <0.1, -1.3>, <0.4, -1>, <0.9, -0.5>, <0.3, 0.1>, <0.7, 0.6>, <0.4, 1>, <0.2, 1.2> sturm
+  uv_mapping pigment { checker rgb 1, rgb <0.8, 0.2, 0.1> scale 0.08 } rotate -30 * x }

@@ -1,0 +1,11 @@
+// sphere_sweep, cubic_spline: through its spheres, with the first and last as controls; sheared.
+// lute scenes/feature/shape/sphere_sweep_cubic.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+background { rgb <0.2, 0.25, 0.3> }
+camera { location <0, 2, -6> right 4 / 3 * x look_at 0 angle 36 }
+light_source { <-4, 6, -8> rgb 1 }
+#default { pigment { rgb <1, 0.8, 0.5> } finish { ambient 0.2 diffuse 0.7 phong 0.3 } }
+
+sphere_sweep { cubic_spline 6, <-2.2, -1.2, 0>, 0.2, <-1.3, -0.6, 0>, 0.25, <-0.4, 0.8, 0>, 0.3, <0.5, -0.6, 0.3>, 0.2, <1.3, 0.5, -0.2>, 0.3,
+  <2, 0.5, 0>, 0.2 scale <1, 0.9, 1> }

@@ -1,0 +1,12 @@
+// triangle and smooth_triangle: the normals of the corners are mixed.
+// lute scenes/feature/shape/triangle.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 }
+background { rgb <0.2, 0.25, 0.3> }
+camera { location <0, 2, -6> right 4 / 3 * x look_at 0 angle 36 }
+light_source { <-4, 6, -8> rgb 1 }
+#default { pigment { rgb <1, 0.8, 0.5> } finish { ambient 0.2 diffuse 0.7 phong 0.3 } }
+
+triangle { <-1.9, -0.9, 0>, <-0.2, -0.8, 0.4>, <-1, 0.9, 0.2> }
+smooth_triangle { <0.2, -0.9, 0>, <-1, -0.6, -1>, <1.9, -0.9, 0.4>, <1, -0.6, -1>, <1, 0.9, 0.2>, <0, 1, -0.6> }
+triangle { <-0.2, 0.9, 0>, <0.2, 0.9, -1>, <0, -0.2, 1> texture { pigment { rgb <1, 0.8, 0.5> } } interior_texture { pigment { rgb <0.3, 0.4, 1> } } rotate 30 * z scale <1.2, 1, 1> }

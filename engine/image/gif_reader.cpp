@@ -147,13 +147,19 @@ void read(Bytes& bytes, GifContent& content) {
   bytes.skip(2);  // ground, aspect ratio
   if ((flags & 0x80) != 0) content.palette = read_palette(bytes, flags);
   content.indices.assign(static_cast<std::size_t>(content.width) * static_cast<std::size_t>(content.height), 0);
+  std::size_t transparent = 256;
   for (;;) {
     switch (bytes.byte()) {
-      case '!':  // extension
-        bytes.skip(1);
-        bytes.block();
+      case '!': {  // extension
+        const bool graphic_control = bytes.byte() == 0xF9;
+        const std::vector<std::uint8_t> block = bytes.block();  // flags, two bytes of delay, the transparent index
+        if (graphic_control && block.size() >= 4 && (block[0] & 1) != 0) transparent = block[3];
         break;
-      case ',': read_picture(bytes, content); return;
+      }
+      case ',':
+        read_picture(bytes, content);
+        if (transparent < content.palette.size()) content.palette[transparent].alpha = 0;
+        return;
       default: throw std::runtime_error("it has no picture");
     }
   }

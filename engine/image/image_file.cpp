@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "engine/image/format_library.hpp"
-#include "engine/image/gif_reader.hpp"
+#include "engine/image/color_mapped.hpp"
 #include "engine/image/png_reader.hpp"
 
 namespace lute {
@@ -54,7 +54,7 @@ std::optional<GammaCurve> curve_of_png(const PngContent& png, const ImageFileOpt
 
 std::optional<GammaCurve> curve_of_format(const std::string& format, const ImageFileOptions& options) {
   if (format == "openexr" || format == "hdr") return GammaCurve::linear();
-  const bool picture = format == "jpeg" || format == "gif" || format == "bmp" || format == "targa";
+  const bool picture = format == "jpeg" || format == "gif" || format == "bmp" || format == "targa" || format == "tga";
   if (picture && !options.legacy) return GammaCurve::srgb();
   return std::nullopt;
 }
@@ -73,26 +73,25 @@ std::shared_ptr<Image> make_png(const std::string& path, const ImageFileOptions&
   return std::make_shared<Image>(png.width, png.height, png.channels, std::move(png.bytes), std::move(decoded));
 }
 
-std::shared_ptr<Image> make_gif(const std::string& path, const ImageFileOptions& options, std::string& error) {
-  GifContent gif;
-  if (!read_gif(path, gif, error)) return nullptr;
-  const Convert convert = conversion(options, curve_of_format("gif", options));
-  for (Image::Pixel& p : gif.palette) p.rgb = {convert(p.rgb.r), convert(p.rgb.g), convert(p.rgb.b)};
-  return std::make_shared<Image>(gif.width, gif.height, std::move(gif.indices), std::move(gif.palette));
+std::shared_ptr<Image> make_color_mapped(ColorMapped file, const Convert& convert) {
+  for (Image::Pixel& p : file.palette) p.rgb = {convert(p.rgb.r), convert(p.rgb.g), convert(p.rgb.b)};
+  return std::make_shared<Image>(file.width, file.height, std::move(file.indices), std::move(file.palette));
 }
 
-// The heights of a POT file as a grey picture: high bytes to the left, low bytes to the right.
+// A POT file, of FractInt, is a GIF file of twice the width: high bytes in the left half, low bytes in the right one.
 std::shared_ptr<Image> make_pot(const std::string& path, const ImageFileOptions& options, std::string& error) {
-  GifContent gif;
-  if (!read_gif(path, gif, error)) return nullptr;
-  const int width = gif.width / 2;
+  const std::optional<ColorMapped> file = read_gif(path, error);
+  if (!file) return nullptr;
+  const int width = file->width / 2;
   std::vector<std::uint16_t> heights;
-  for (int row = 0; row < gif.height; ++row)
+  for (int row = 0; row < file->height; ++row) {
+    const auto line = static_cast<std::size_t>(row) * static_cast<std::size_t>(file->width);
     for (int column = 0; column < width; ++column) {
-      const std::uint8_t* high = &gif.indices[static_cast<std::size_t>(row) * static_cast<std::size_t>(gif.width) + static_cast<std::size_t>(column)];
+      const std::uint8_t* high = &file->indices[line + static_cast<std::size_t>(column)];
       heights.push_back(static_cast<std::uint16_t>(256 * high[0] + high[width]));
     }
-  return std::make_shared<Image>(width, gif.height, 1, std::move(heights), table(65536, conversion(options, std::nullopt)));
+  }
+  return std::make_shared<Image>(width, file->height, 1, std::move(heights), table(65536, conversion(options, std::nullopt)));
 }
 
 template <class Integer>
@@ -136,6 +135,18 @@ std::shared_ptr<Image> make_other(const std::string& path, const ImageFileOption
   return image;
 }
 
+std::shared_ptr<Image> make_image(const std::string& path, const std::string& type, const ImageFileOptions& options,
+                                  std::string& error) {
+  if (type == "png") return make_png(path, options, error);
+  if (type == "pot") return make_pot(path, options, error);
+  std::optional<ColorMapped> file;
+  if (type == "gif") file = read_gif(path, error);
+  if (type == "bmp") file = read_color_mapped_bmp(path, error);
+  if (type == "tga") file = read_color_mapped_tga(path, error);
+  if (file) return make_color_mapped(std::move(*file), conversion(options, curve_of_format(type, options)));
+  return error.empty() ? make_other(path, options, error) : nullptr;
+}
+
 }  // namespace
 
 std::string image_type_of(const std::string& path) {
@@ -155,8 +166,7 @@ ImagePtr ImageFiles::load(const std::string& path, const ImageFileOptions& optio
   const auto key = std::make_pair(path, options);
   if (const auto it = loaded_.find(key); it != loaded_.end()) return it->second;
   const std::string type = options.type.empty() ? image_type_of(path) : options.type;
-  const auto make = type == "png" ? make_png : type == "gif" ? make_gif : type == "pot" ? make_pot : make_other;
-  const std::shared_ptr<Image> image = make(path, options, error);
+  const std::shared_ptr<Image> image = make_image(path, type, options, error);
   if (image == nullptr) return nullptr;
   if (options.premultiplied) image->set_premultiplied(*options.premultiplied);
   return loaded_[key] = image;

@@ -10,7 +10,6 @@ double evaluate(const ImagePattern& pattern, const dvec3& p, const PatternContex
   if (!position) return 0;
   const Image& image = *mapping.image;
   const float value = interpolate_pixels(mapping, *position, [&](int column, int row) {
-    if (mapping.use_index && image.is_palette()) return static_cast<float>(image.index(column, row)) / 255;
     const Image::Pixel pixel = image.pixel(column, row);
     if (pattern.use_alpha) return image.has_alpha() ? 1 - pixel.alpha : pixel.rgb.r;
     return grey(pixel.rgb);

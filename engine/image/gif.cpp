@@ -16,8 +16,14 @@ struct CloseGif {
   }
 };
 
+// giflib has no text for some of its own codes.
+std::string text_of(int code) {
+  const char* text = GifErrorString(code);
+  return text != nullptr ? text : "it is damaged";
+}
+
 void check(int result, const GifFileType& file) {
-  if (result == GIF_ERROR) throw std::runtime_error(GifErrorString(file.Error));
+  if (result == GIF_ERROR) throw std::runtime_error(text_of(file.Error));
 }
 
 // Reads an extension; the transparent index if it has one, else the one known so far.
@@ -74,7 +80,7 @@ std::optional<ColorMapped> read_gif(const std::string& path, std::string& error)
   int code = 0;
   const std::unique_ptr<GifFileType, CloseGif> file(DGifOpenFileName(path.c_str(), &code));
   if (file == nullptr) {
-    error = "Cannot read GIF image '" + path + "': " + GifErrorString(code) + ".";
+    error = "Cannot read GIF image '" + path + "': " + text_of(code) + ".";
     return std::nullopt;
   }
   try {

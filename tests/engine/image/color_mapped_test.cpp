@@ -105,9 +105,9 @@ TEST_F(ColorMappedFile, GifWithAnyByteWrongIsRefusedOrConsistent) {
   std::ifstream stream(path_, std::ios::binary);
   const Bytes whole(std::istreambuf_iterator<char>(stream), {});
   for (std::size_t at = 0; at < whole.size(); ++at) {
-    for (const std::uint8_t value : {0, 1, 0x2c, 0x7f, 0xff}) {
+    for (const int value : {0, 1, 0x2c, 0x7f, 0xff}) {
       Bytes bytes = whole;
-      bytes[at] = value;
+      bytes[at] = static_cast<std::uint8_t>(value);
       const auto image = read_gif(write(bytes), error_);
       if (!image) continue;
       for (const std::uint8_t index : image->indices) EXPECT_LT(index, image->palette.size()) << at << ' ' << value;

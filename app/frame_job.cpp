@@ -33,6 +33,8 @@ RenderSettings render_settings(const RenderOptions& options, const Scene& scene)
   settings.antialiasing = options.antialiasing;
   settings.gamma_mode = scene.settings.gamma_mode;
   settings.assumed_gamma = scene.settings.assumed_gamma;
+  settings.alpha = options.output.alpha;
+  settings.estimate_error = options.statistics;
   return settings;
 }
 
@@ -42,11 +44,15 @@ bool rendered_before(const std::string& path) {
          std::filesystem::file_size(path, ignored) > 0;
 }
 
-std::string summary(const RenderOptions& options, const std::string& path, const StageTimes& times) {
+std::string summary(const RenderOptions& options, const std::string& path, const StageTimes& times,
+                    const RenderResult& result) {
   std::array<char, 120> text;
   std::snprintf(text.data(), text.size(), ": %d x %d pixels, parse %.2f s, build %.2f s, render %.2f s", options.width,
                 options.height, times.parse, times.build, times.render);
-  return (path == "-" ? "standard output" : path) + text.data();
+  std::string line = (path == "-" ? "standard output" : path) + text.data();
+  if (!result.estimated_error) return line;
+  std::snprintf(text.data(), text.size(), ", estimated error %.5f", *result.estimated_error);
+  return line + text.data();
 }
 
 }  // namespace
@@ -126,8 +132,8 @@ ExitCode render_frame(const RenderOptions& options, const Frame& frame, const st
     write_image(path, film, {settings.gamma_mode, settings.assumed_gamma}, options.output);
   }
   times.write = write_watch.seconds();
-  console.line(summary(options, options.output_to_file ? path : "no file", times));
-  if (options.statistics) std::fputs(statistics_text(result.counters, times, settings.area.pixels()).c_str(), stderr);
+  console.line(summary(options, options.output_to_file ? path : "no file", times, result));
+  if (options.statistics) std::fputs(statistics_text(result, times, settings.area.pixels()).c_str(), stderr);
   return Interrupt::flag() ? ExitCode::kInterrupted : ExitCode::kDone;
 }
 

@@ -21,7 +21,8 @@ std::string time_row(const char* name, double seconds) {
 
 }  // namespace
 
-std::string statistics_text(const Counters& counters, const StageTimes& times, long pixels) {
+std::string statistics_text(const RenderResult& result, const StageTimes& times, long pixels) {
+  const Counters& counters = result.counters;
   const std::uint64_t rays = counters.camera_rays + counters.reflected_rays + counters.refracted_rays +
                              counters.transmitted_rays + counters.shadow_rays;
   const auto per_pixel = [&](const char* name, std::uint64_t count) {
@@ -50,6 +51,12 @@ std::string statistics_text(const Counters& counters, const StageTimes& times, l
     std::snprintf(rate.data(), rate.size(), "  %-18s %14.3f million rays a second\n", "rate",
                   static_cast<double>(rays) / times.render / 1e6);
     text += rate.data();
+  }
+  if (result.estimated_error) {
+    std::array<char, 120> error;
+    std::snprintf(error.data(), error.size(), "estimated error      %14.6f of 1, root mean square of coded values\n",
+                  *result.estimated_error);
+    text += error.data();
   }
   return text;
 }

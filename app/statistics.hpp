@@ -1,10 +1,10 @@
-// The summary of --stats: rays by kind, tests, time by stage.
+// The summary of --stats: rays by kind, tests, time by stage, the estimated error of the picture.
 #pragma once
 
 #include <chrono>
 #include <string>
 
-#include "engine/accel/counters.hpp"
+#include "engine/render/render.hpp"
 
 namespace lute {
 
@@ -22,6 +22,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-std::string statistics_text(const Counters& counters, const StageTimes& times, long pixels);
+std::string statistics_text(const RenderResult& result, const StageTimes& times, long pixels);
 
 }  // namespace lute

@@ -85,7 +85,7 @@ std::string method_of(const std::string& switches) {
   for (const std::string& word : words(switches)) {
     if (word.rfind("+AM", 0) == 0) {
       method = word.substr(3);
-    } else if (word.rfind("+A", 0) == 0 && word.rfind("+AG", 0) != 0) {
+    } else if (word.rfind("+A", 0) == 0 && word.rfind("+AG", 0) != 0 && word.rfind("+AE", 0) != 0) {
       antialias = true;
     }
   }
@@ -129,6 +129,8 @@ Sweep run_sweep(const SceneFile& scene, const SweepSettings& settings, const fs:
     for (const char* program : {"lute", "POV-Ray"}) {
       SweepPoint point;
       point.program = program;
+      // lute's own: POV-Ray would take it for method 2.
+      if (method_of(settings.variations[i]) == "method 3" && point.program != "lute") continue;
       point.setting = settings.variations[i];
       point.method = method_of(point.setting);
       point.picture = settings.output / (scene.name + "." + program + "." + std::to_string(i) + ".png");

@@ -16,9 +16,10 @@ struct Sample {
 // One pixel as a grid of nodes, 2^(depth-1) steps a side; a node is traced at most once.
 class AdaptivePixel {
  public:
-  AdaptivePixel(const Antialiasing& settings, const ColorMetric& metric, PixelSource& source)
+  AdaptivePixel(const Antialiasing& settings, const ColorMetric& metric, PixelSource& source, bool estimates)
       : metric_(metric),
         source_(source),
+        estimates_(estimates),
         steps_(1 << (settings.depth - 1)),
         amount_(static_cast<double>(settings.jitter) / ((1 << settings.depth) + 1)),
         nodes_(static_cast<std::size_t>(steps_ + 1) * static_cast<std::size_t>(steps_ + 1)) {}
@@ -32,8 +33,12 @@ class AdaptivePixel {
     node(0, steps_) = *corners[1];
     node(steps_, 0) = *corners[2];
     node(steps_, steps_) = *corners[3];
+    variance_ = dvec4(0);
     return square(0, 0, steps_);
   }
+
+  // Of the pixel rendered last, in the working space.
+  const dvec4& variance() const { return variance_; }
 
  private:
   Sample& node(int i, int j) {
@@ -59,11 +64,21 @@ class AdaptivePixel {
     return false;
   }
 
+  void add_variance(const std::array<const Sample*, 4>& corners, int size) {
+    const double area = static_cast<double>(size * size) / (steps_ * steps_);
+    const auto side = [&](std::size_t a, std::size_t b) {
+      const dvec4 difference = channels(corners[a]->color) - channels(corners[b]->color);
+      return difference * difference;
+    };
+    variance_ += kCornerWeight * area * area * (side(0, 1) + side(1, 3) + side(3, 2) + side(2, 0));
+  }
+
   // The square from node (i, j), `size` steps a side.
   Color square(int i, int j, int size) {
     const std::array<const Sample*, 4> corners{&node(i, j), &node(i, j + size), &node(i + size, j),
                                                &node(i + size, j + size)};
     if (size == 1 || !corners_differ(corners)) {
+      if (estimates_) add_variance(corners, size);
       return (corners[0]->color + corners[1]->color + corners[2]->color + corners[3]->color) * 0.25f;
     }
     const int half = size / 2;
@@ -79,16 +94,18 @@ class AdaptivePixel {
 
   const ColorMetric& metric_;
   PixelSource& source_;
+  bool estimates_;
   int steps_;
   double amount_;
   std::vector<Sample> nodes_;
   double left_ = 0, top_ = 0;
+  dvec4 variance_{0};
 };
 
 }  // namespace
 
 void render_adaptive_block(const PixelArea& block, const Antialiasing& settings, const ColorMetric& metric,
-                           PixelSource& source, Film& film) {
+                           PixelSource& source, Film& film, const ErrorRecord* errors) {
   const std::size_t stride = static_cast<std::size_t>(block.columns()) + 1;
   std::vector<Sample> corners(stride * (static_cast<std::size_t>(block.rows()) + 1));
   const auto corner = [&](int x, int y) -> Sample& {
@@ -103,10 +120,13 @@ void render_adaptive_block(const PixelArea& block, const Antialiasing& settings,
       sample.known = true;
     }
   }
-  AdaptivePixel pixel(settings, metric, source);
+  AdaptivePixel pixel(settings, metric, source, errors != nullptr);
   for (int y = block.first_row; y <= block.last_row; ++y) {
     for (int x = block.first_column; x <= block.last_column; ++x) {
       film.at(x, y) = pixel.render(x, y, {&corner(x, y), &corner(x, y + 1), &corner(x + 1, y), &corner(x + 1, y + 1)});
+      if (errors == nullptr) continue;
+      errors->map.at(x, y) =
+          static_cast<float>(glm::dot(errors->metric.sensitivity(film.at(x, y)), pixel.variance()));
     }
   }
 }

@@ -7,6 +7,6 @@
 namespace lute {
 
 void render_adaptive_block(const PixelArea& block, const Antialiasing& settings, const ColorMetric& metric,
-                           PixelSource& source, Film& film);
+                           PixelSource& source, Film& film, const ErrorRecord* errors);
 
 }  // namespace lute

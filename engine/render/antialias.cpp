@@ -18,11 +18,13 @@ struct Cell {
 // A block with the row above and the column to the left of it, which are compared with but never changed from here.
 class NeighbourBlock {
  public:
-  NeighbourBlock(const PixelArea& block, const Antialiasing& settings, const ColorMetric& metric, PixelSource& source)
+  NeighbourBlock(const PixelArea& block, const Antialiasing& settings, const ColorMetric& metric, PixelSource& source,
+                 const ErrorRecord* errors)
       : block_(block),
         settings_(settings),
         metric_(metric),
         source_(source),
+        errors_(errors),
         stride_(static_cast<std::size_t>(block.columns()) + 1) {
     cells_.resize(stride_ * (static_cast<std::size_t>(block.rows()) + 1));
   }
@@ -68,22 +70,43 @@ class NeighbourBlock {
     const int n = settings_.depth;
     const double step = 1.0 / n, range = 0.5 - step / 2;
     const double amount = static_cast<double>(settings_.jitter) / n;
+    grid_.clear();
     for (double dy = -range; dy <= range + kEpsilon; dy += step) {
       for (double dx = -range; dx <= range + kEpsilon; dx += step) {
         dvec2 position(x + dx, y + dy);
         if (amount != 0) position += amount * jitter(position);
-        c.color += source_.sample(position);
+        const Color sample = source_.sample(position);
+        c.color += sample;
+        if (errors_ != nullptr) grid_.push_back(channels(sample));
       }
     }
     c.color = c.color * (1.0f / static_cast<float>(n * n + 1));
     c.encoded = metric_.encode(c.color);
     c.supersampled = true;
+    if (errors_ != nullptr && n > 1) record_error(x, y, c.color);
+  }
+
+  void record_error(int x, int y, const Color& color) {
+    const auto n = static_cast<std::size_t>(settings_.depth);
+    dvec4 squares(0);
+    for (std::size_t i = 0; i < grid_.size(); ++i) {
+      const dvec4 right = i % n + 1 < n ? grid_[i + 1] - grid_[i] : dvec4(0);
+      const dvec4 below = i + n < grid_.size() ? grid_[i + n] - grid_[i] : dvec4(0);
+      squares += right * right + below * below;
+    }
+    // Edges outside of the outermost samples separate none: one of n.
+    squares *= static_cast<double>(n) / static_cast<double>(n - 1);
+    const double share = 1.0 / static_cast<double>(n * n + 1);  // of one sample in the mean
+    errors_->map.at(x, y) =
+        static_cast<float>(kSideWeight * share * share * glm::dot(errors_->metric.sensitivity(color), squares));
   }
 
   const PixelArea block_;
   const Antialiasing& settings_;
   const ColorMetric& metric_;
   PixelSource& source_;
+  const ErrorRecord* errors_;
+  std::vector<dvec4> grid_;  // the samples of one pixel, row by row, for the estimate of its error
   std::size_t stride_;
   std::vector<Cell> cells_;
 };
@@ -116,9 +139,9 @@ bool ColorMetric::differ(const Color& a, const Color& b) const {
 }
 
 void render_block(const PixelArea& block, const Antialiasing& settings, const ColorMetric& metric, PixelSource& source,
-                  Film& film) {
+                  Film& film, const ErrorRecord* errors) {
   if (settings.method == 1) {
-    NeighbourBlock neighbours(block, settings, metric, source);
+    NeighbourBlock neighbours(block, settings, metric, source, errors);
     neighbours.render();
     for (int y = block.first_row; y <= block.last_row; ++y) {
       for (int x = block.first_column; x <= block.last_column; ++x) film.at(x, y) = neighbours.color(x, y);
@@ -126,7 +149,7 @@ void render_block(const PixelArea& block, const Antialiasing& settings, const Co
     return;
   }
   if (settings.method == 2) {
-    render_adaptive_block(block, settings, metric, source, film);
+    render_adaptive_block(block, settings, metric, source, film, errors);
     return;
   }
   for (int y = block.first_row; y <= block.last_row; ++y) {

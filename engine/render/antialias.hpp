@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/render/block_grid.hpp"
+#include "engine/render/error_map.hpp"
 #include "engine/render/film.hpp"
 #include "engine/render/pixel_source.hpp"
 #include "engine/scene/scene.hpp"
@@ -9,11 +10,14 @@
 namespace lute {
 
 struct Antialiasing {
-  int method = 0;  // 0: one sample at the centre of a pixel; 1: supersampling where neighbours differ; 2: recursive
+  // 0: one sample at the centre of a pixel; 1: supersampling where neighbours differ; 2: recursive; 3: driven by the
+  // estimated error (engine/render/error_driven_pixel.hpp), which uses none of the following but the last
+  int method = 0;
   float threshold = 0.3f;  // sum of channel differences from which colours differ, 0...1
   int depth = 3;           // 1...9
   float jitter = 1.0f;     // 0...1; 0: none
   double gamma = 2.5;      // colours are compared after encoding with this power; <= 0 or near 1: as light
+  double error_bound = 0.01;  // of method 3: largest estimated error of a pixel, root mean square of coded 0...1
 };
 
 // Compares colours as an eye would: encoded with the antialiasing gamma, from the scene's working space.
@@ -31,8 +35,14 @@ class ColorMetric {
   float exponent_;
 };
 
-// Renders one block into the film. The film's other pixels are not touched.
+// Where the estimated errors of pixels with many samples go.
+struct ErrorRecord {
+  const DisplayMetric& metric;
+  ErrorMap& map;
+};
+
+// Renders one block into the film, by method 0, 1 or 2. The film's other pixels are not touched. `errors` may be null.
 void render_block(const PixelArea& block, const Antialiasing& settings, const ColorMetric& metric, PixelSource& source,
-                  Film& film);
+                  Film& film, const ErrorRecord* errors = nullptr);
 
 }  // namespace lute

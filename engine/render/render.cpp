@@ -7,40 +7,38 @@
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <mutex>
+
+#include "engine/render/error_driven_pixel.hpp"
 
 namespace lute {
 namespace {
 
-// The blocks of one render, from whichever thread.
+using RenderBlock = std::function<void(const PixelArea& block, PixelSource& source)>;
+
+// The blocks of one pass over an area, from whichever thread.
 class BlockRun {
  public:
-  BlockRun(const RenderSettings& settings, Film& film, const RenderProgress& progress)
-      : settings_(settings),
-        metric_(settings.antialiasing, settings.gamma_mode, settings.assumed_gamma),
-        grid_(settings.area, settings.block_size),
-        film_(film),
-        progress_(progress) {}
+  BlockRun(const PixelArea& area, int block_size, RenderBlock render_block, const RenderProgress& progress)
+      : grid_(area, block_size), render_block_(std::move(render_block)), progress_(progress) {}
 
   int blocks() const { return grid_.count(); }
-  bool cancelled() const { return progress_.cancel != nullptr && progress_.cancel->load(std::memory_order_relaxed); }
   bool complete() const { return finished_ == blocks(); }
 
   void block(int index, PixelSource& source) {
-    if (cancelled()) return;
+    if (progress_.cancel != nullptr && progress_.cancel->load(std::memory_order_relaxed)) return;
     const PixelArea area = grid_.block(index);
-    render_block(area, settings_.antialiasing, metric_, source, film_);
+    render_block_(area, source);
     const std::lock_guard lock(mutex_);
     ++finished_;
     done_ += area.pixels();
-    if (progress_.report) progress_.report(done_, settings_.area.pixels());
+    if (progress_.report) progress_.report(done_, 0);
   }
 
  private:
-  const RenderSettings& settings_;
-  ColorMetric metric_;
   BlockGrid grid_;
-  Film& film_;
+  RenderBlock render_block_;
   const RenderProgress& progress_;
   std::mutex mutex_;
   int finished_ = 0;
@@ -63,21 +61,75 @@ void run_parallel(BlockRun& run, int threads, const MakePixelSource& make_source
   for (const auto& source : sources) counters.add(source->counters());
 }
 
+// Renders from several passes, each over all blocks before the next one begins.
+class Passes {
+ public:
+  Passes(const RenderSettings& settings, const MakePixelSource& make_source, const RenderProgress& progress, int count)
+      : settings_(settings), make_source_(make_source), progress_(progress), count_(count) {}
+
+  void run(const PixelArea& area, RenderBlock render_block) {
+    const long before = passed_++, total = settings_.area.pixels();
+    // The ring around the area may make a pass longer, but is no part of the picture.
+    RenderProgress progress{nullptr, progress_.cancel};
+    if (progress_.report) {
+      progress.report = [&](long done, long) {
+        progress_.report((before * total + std::min(done, total)) / count_, total);
+      };
+    }
+    BlockRun run(area, settings_.block_size, std::move(render_block), progress);
+    if (settings_.threads > 1 && run.blocks() > 1) {
+      run_parallel(run, settings_.threads, make_source_, result_.counters);
+    } else {
+      const std::unique_ptr<PixelSource> source = make_source_();
+      for (int index = 0; index < run.blocks(); ++index) run.block(index, *source);
+      result_.counters.add(source->counters());
+    }
+    result_.complete = result_.complete && run.complete();
+  }
+
+  RenderResult& result() { return result_; }
+
+ private:
+  const RenderSettings& settings_;
+  const MakePixelSource& make_source_;
+  const RenderProgress& progress_;
+  int count_;
+  long passed_ = 0;
+  RenderResult result_;
+};
+
+RenderResult render_error_driven(const RenderSettings& settings, const DisplayMetric& metric,
+                                 const MakePixelSource& make_source, Film& film, const RenderProgress& progress) {
+  ErrorMap errors(settings.area);
+  CentreSamples centres(settings.area, metric);
+  Passes passes(settings, make_source, progress, 2);
+  passes.run(centres.with_ring(), [&](const PixelArea& block, PixelSource& source) { centres.take(block, source); });
+  passes.run(settings.area, [&](const PixelArea& block, PixelSource& source) {
+    render_error_driven_block(block, settings.antialiasing.error_bound, centres, metric, source, film, errors);
+  });
+  passes.result().estimated_error = errors.rmse();
+  return passes.result();
+}
+
 }  // namespace
 
 RenderResult render(const RenderSettings& settings, const MakePixelSource& make_source, Film& film,
                     const RenderProgress& progress) {
-  BlockRun run(settings, film, progress);
-  RenderResult result;
-  if (settings.threads > 1 && run.blocks() > 1) {
-    run_parallel(run, settings.threads, make_source, result.counters);
-  } else {
-    const std::unique_ptr<PixelSource> source = make_source();
-    for (int index = 0; index < run.blocks(); ++index) run.block(index, *source);
-    result.counters = source->counters();
+  const DisplayMetric display(settings.gamma_mode, settings.assumed_gamma, settings.alpha);
+  if (settings.antialiasing.method == 3) return render_error_driven(settings, display, make_source, film, progress);
+  const ColorMetric metric(settings.antialiasing, settings.gamma_mode, settings.assumed_gamma);
+  std::optional<ErrorMap> errors;
+  std::optional<ErrorRecord> record;
+  if (settings.estimate_error) record.emplace(display, errors.emplace(settings.area));
+  Passes passes(settings, make_source, progress, 1);
+  passes.run(settings.area, [&](const PixelArea& block, PixelSource& source) {
+    render_block(block, settings.antialiasing, metric, source, film, record ? &*record : nullptr);
+  });
+  if (errors) {
+    errors->estimate_centres(film, display);
+    passes.result().estimated_error = errors->rmse();
   }
-  result.complete = run.complete();
-  return result;
+  return passes.result();
 }
 
 }  // namespace lute

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 
 #include "engine/render/antialias.hpp"
 
@@ -16,6 +17,8 @@ struct RenderSettings {
   Antialiasing antialiasing;
   GammaMode gamma_mode = GammaMode::kPower;  // the working space, for the comparison of colours
   double assumed_gamma = 1;
+  bool alpha = false;           // transparency is seen: its error counts
+  bool estimate_error = false;  // method 3 does anyway
 };
 
 struct RenderProgress {
@@ -28,6 +31,9 @@ struct RenderProgress {
 struct RenderResult {
   bool complete = true;  // false: cancelled
   Counters counters;
+  // The estimated error of the picture, from the samples taken: root mean square over pixels and channels, in coded
+  // values 0...1 as an sRGB file has them.
+  std::optional<double> estimated_error;
 };
 
 RenderResult render(const RenderSettings& settings, const MakePixelSource& make_source, Film& film,

@@ -31,6 +31,17 @@ void set_antialias(O& o, const V& v) {
   if (v.has_tail) o.antialiasing.threshold = static_cast<float>(std::clamp(v.number, 0.0, 1.0));
 }
 
+// POV-Ray takes every number above 2 for 2; 3 is lute's own.
+void set_sampling_method(O& o, const V& v) {
+  o.antialiasing.method = v.integer == 3 ? 3 : std::clamp(v.integer, 0, 2);
+  if (v.integer == 3) o.antialias = true;
+}
+
+void set_error_bound(O& o, const V& v) {
+  if (!(v.number > 0)) throw OptionError("the error bound of antialiasing must be greater than 0");
+  o.antialiasing.error_bound = v.number;
+}
+
 void set_jitter(O& o, const V& v) {
   if (v.has_tail) o.antialiasing.jitter = static_cast<float>(std::clamp(v.number, 0.0, 1.0));
   if (!v.on) o.antialiasing.jitter = 0;
@@ -98,7 +109,8 @@ const OptionRow kOptions[] = {
     {"Antialias_Threshold", "", "", Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.antialiasing.threshold = static_cast<float>(std::clamp(v.number, 0.0, 1.0)); }, "difference from which pixels get more samples"},
     {"Antialias_Depth", "R", "", Kind::kInteger, Tail::kInteger, [](O& o, const V& v) { o.antialiasing.depth = std::clamp(v.integer, 1, 9); }, "1...9: method 1 takes its square of samples"},
     {"Antialias_Gamma", "AG", "", Kind::kFloat, Tail::kFloat, [](O& o, const V& v) { o.antialiasing.gamma = v.number; }, "encoding in which colours are compared"},
-    {"Sampling_Method", "AM", "", Kind::kInteger, Tail::kInteger, [](O& o, const V& v) { o.antialiasing.method = std::clamp(v.integer, 0, 2); }, "1: supersampling, 2: recursive"},
+    {"Sampling_Method", "AM", "", Kind::kInteger, Tail::kInteger, set_sampling_method, "1: supersampling, 2: recursive, 3: driven by the estimated error"},
+    {"Antialias_Error", "AE", "", Kind::kFloat, Tail::kFloat, set_error_bound, "bound of method 3 on the error of each pixel, 0...1: default 0.01"},
     {"Jitter", "J", "", Kind::kBoolean, Tail::kOptionalFloat, set_jitter, "move antialiasing samples, with the amount: +J0.5"},
     {"Jitter_Amount", "", "", Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.antialiasing.jitter = static_cast<float>(std::clamp(v.number, 0.0, 1.0)); }, "0...1"},
     {"Quality", "Q", "", Kind::kInteger, Tail::kInteger, [](O& o, const V& v) { o.quality = std::clamp(v.integer, 0, 9); }, "0...9, see the manual"},

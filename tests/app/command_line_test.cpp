@@ -142,6 +142,15 @@ TEST_F(CommandLine, StatisticsCountRays) {
   EXPECT_THAT(run.error, HasSubstr("192"));  // camera rays
 }
 
+TEST_F(CommandLine, StatisticsEstimateTheErrorForEveryMethodAndMethodThreeSaysItAlways) {
+  for (const char* antialias : {"-A", "+A0.3", "+AM2", "+AM3"}) {
+    const LuteRun run = run_lute({"--stats", path("small.pov"), "+W16", "+H12", antialias});
+    EXPECT_THAT(run.error, HasSubstr("root mean square of coded values")) << antialias;
+  }
+  EXPECT_THAT(run_lute({path("small.pov"), "+W16", "+H12", "+AM3"}).error, HasSubstr("estimated error 0.0"));
+  EXPECT_THAT(run_lute({path("small.pov"), "+W16", "+H12", "+A"}).error, testing::Not(HasSubstr("estimated error")));
+}
+
 TEST_F(CommandLine, DumpsTokensAndScene) {
   EXPECT_THAT(run_lute({"--dump-tokens", path("small.pov")}).out, HasSubstr("sphere"));
   const LuteRun scene = run_lute({"--dump-scene", path("small.pov")});

@@ -33,6 +33,7 @@ TEST(Sweep, NamesTheMethodOfTheSwitches) {
   EXPECT_EQ(method_of("+A0.3"), "method 1");
   EXPECT_EQ(method_of("+AM2 +A0.1 +R3"), "method 2");
   EXPECT_EQ(method_of("+AM3"), "method 3");
+  EXPECT_EQ(method_of("+AM3 +AE0.01"), "method 3");
   EXPECT_EQ(method_of("+AM2 -A"), "no antialiasing");
 }
 

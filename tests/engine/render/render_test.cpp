@@ -31,19 +31,24 @@ RenderSettings settings_for(int width, int height, int method, int threads) {
   return settings;
 }
 
-Film waves(int method, int threads) {
+Film waves(int method, int threads, double* error = nullptr) {
   Film film(133, 97);
-  EXPECT_TRUE(render(
-                  settings_for(133, 97, method, threads), [] { return std::make_unique<Waves>(); }, film)
-                  .complete);
+  RenderSettings settings = settings_for(133, 97, method, threads);
+  settings.estimate_error = true;
+  const RenderResult result = render(
+      settings, [] { return std::make_unique<Waves>(); }, film);
+  EXPECT_TRUE(result.complete);
+  if (error != nullptr) *error = result.estimated_error.value();
   return film;
 }
 
 TEST(Render, IsBitIdenticalForAnyNumberOfThreads) {
-  for (const int method : {0, 1, 2}) {
-    const Film one = waves(method, 1);
+  for (const int method : {0, 1, 2, 3}) {
+    double error_of_one = 0, error_of_many = 0;
+    const Film one = waves(method, 1, &error_of_one);
     for (const int threads : {2, 7}) {
-      const Film many = waves(method, threads);
+      const Film many = waves(method, threads, &error_of_many);
+      EXPECT_EQ(error_of_one, error_of_many);
       for (int y = 0; y < one.height(); ++y) {
         ASSERT_EQ(std::memcmp(&one.at(0, y), &many.at(0, y), sizeof(Color) * 133), 0)
             << "method " << method << " row " << y;
@@ -80,6 +85,19 @@ TEST(Render, ReportsEveryPixelOnce) {
           nullptr});
   EXPECT_EQ(last, 5000);
   EXPECT_EQ(total, 5000);
+}
+
+TEST(Render, ReportsThePassesOfMethodThreeAsOneRender) {
+  Film film(100, 50);
+  long last = 0;
+  render(settings_for(100, 50, 3, 2), [] { return std::make_unique<Waves>(); }, film,
+         {[&](long done, long all) {
+            EXPECT_GE(done, last);
+            EXPECT_EQ(all, 5000);
+            last = done;
+          },
+          nullptr});
+  EXPECT_EQ(last, 5000);
 }
 
 TEST(Render, StopsWhenCancelled) {

@@ -78,6 +78,16 @@ TEST(Options, RangesAreClamped) {
   EXPECT_EQ(options_of({"+Q11"}).quality, 9);
   EXPECT_EQ(options_of({"+A0.3", "+R20"}).antialiasing.depth, 9);
   EXPECT_EQ(options_of({"+A0.3", "+AM7"}).antialiasing.method, 2);
+  EXPECT_EQ(options_of({"+A0.3", "+AM4"}).antialiasing.method, 2);
+}
+
+TEST(Options, MethodThreeNeedsNoOtherSwitch) {
+  EXPECT_EQ(options_of({"+AM3"}).antialiasing.method, 3);
+  EXPECT_DOUBLE_EQ(options_of({"+AM3"}).antialiasing.error_bound, 0.01);
+  EXPECT_DOUBLE_EQ(options_of({"+AM3", "+AE0.003"}).antialiasing.error_bound, 0.003);
+  EXPECT_DOUBLE_EQ(options_of({"--sampling-method", "3", "--antialias-error", "0.02"}).antialiasing.error_bound, 0.02);
+  EXPECT_EQ(options_of({"+AM3", "-A"}).antialiasing.method, 0);
+  EXPECT_THAT(error_of({"+AM3", "+AE0"}), HasSubstr("greater than 0"));
 }
 
 TEST(Options, SwitchesThatShareTheirFirstLetters) {

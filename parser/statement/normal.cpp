@@ -77,7 +77,7 @@ NormalPtr parse_normal_items(Reader& reader, const NormalPtr& base) {
   if (const auto named = reader.accept_identifier<NormalPtr>()) normal = **named;
   normal.where = where;
   accept_normal_pattern(reader, normal);
-  if (std::holds_alternative<NoPattern>(normal.body.pattern)) reader.possible_error("No normal type given.");
+  if (std::holds_alternative<NoPattern>(normal.body.pattern)) statements_of(reader).untyped_normals = true;
   reader.comma();
   if (const auto amount = reader.optional_number()) normal.amount = static_cast<float>(*amount);
   parse_modifiers(reader, normal);

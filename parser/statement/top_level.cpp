@@ -15,6 +15,7 @@
 #include "parser/statement/statement.hpp"
 #include "parser/statement/texture.hpp"
 #include "parser/statement/texture_edit.hpp"
+#include "parser/statement/untyped_normal.hpp"
 
 namespace lute {
 namespace {
@@ -81,6 +82,8 @@ bool accept_scene_object(Reader& reader) {
   Object placed = **object;
   placed.default_texture = statements_of(reader).default_texture();
   if (!placed.radiosity_importance) placed.radiosity_importance = statements_of(reader).defaults().radiosity_importance;
+  if (statements_of(reader).untyped_normals && has_untyped_normal(placed, *placed.default_texture))
+    reader.error("No normal type given.");
   reader.scene().objects.push_back(std::make_shared<const Object>(std::move(placed)));
   return true;
 }

@@ -89,9 +89,24 @@ TEST(Pigments, AverageNeedsAMapAndItsWeightsMayBeLeftOut) {
 }
 
 TEST(Normals, NeedAType) {
-  EXPECT_TRUE(warns(kVersion + "sphere { 0, 1 normal { scale 2 } }", "No normal type given."));
+  EXPECT_EQ(rejection_of(kVersion + "sphere { 0, 1 normal { scale 2 } }"), "No normal type given.");
   const Scene scene = scene_of(kVersion + "sphere { 0, 1 normal { bumps 0.3 scale 2 } }");
   EXPECT_FLOAT_EQ(layer(only_object(scene), 0).normal->amount, 0.3f);
+}
+
+// Measured: POV-Ray complains of what an object has at its end, not of what is written on the way.
+TEST(Normals, MayGetTheirTypeLater) {
+  const Scene scene = scene_of(kVersion + "sphere { 0, 1 normal { bump_size 1.5 } normal { bumps } }");
+  EXPECT_FLOAT_EQ(layer(only_object(scene), 0).normal->amount, 1.5f);
+  EXPECT_EQ(rejection_of(kVersion + "#declare Unused = texture { normal { bump_size 1.5 } } sphere { 0, 1 }"), "");
+  const std::string untyped_default = kVersion + "#default { normal { bump_size 1.5 } }";
+  EXPECT_EQ(rejection_of(untyped_default + "light_source { 0 rgb 1 } sphere { 0, 1 texture { normal { bumps } } }"), "");
+  for (const char* object : {"sphere { 0, 1 }", "sphere { 0, 1 pigment { rgb 1 } }",
+                             "union { plane { z, 0 } sphere { 0, 1 texture { normal { bumps } } } }",
+                             "sphere { 0, 1 texture { normal { bumps } } interior_texture { pigment { rgb 1 } } }",
+                             "blob { threshold .5 sphere { 0, 1, 1 texture { pigment { rgb 1 } } } texture { normal { bumps } } }",
+                             "sphere { 0, 1 normal { gradient x normal_map { [0 bumps] [1 scale 2] } } }"})
+    EXPECT_EQ(rejection_of(untyped_default + object), "No normal type given.") << object;
 }
 
 TEST(Finishes, AlbedoScalesWithTheValuesAtTheEndOfTheBlock) {  // chapter 11 §9.5

@@ -61,7 +61,7 @@ Rgb Shader::light_from(Surface& surface, const LitLayer& layer, std::size_t inde
   Rgb result = area_lit ? area_illumination(surface, layer, source, path.direction, color)
                         : scattered(surface, layer, source, path.direction, color, backside);
   if (layer.finish.irid > 0)
-    result *= iridescence(layer.finish, layer.point, std::abs(glm::dot(layer.normal, path.direction)),
+    result *= iridescence(layer.finish, surface.hit.point, std::abs(glm::dot(layer.normal, path.direction)),
                           std::abs(glm::dot(layer.normal, surface.in.ray.direction)));
   return result;
 }

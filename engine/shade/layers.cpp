@@ -47,11 +47,11 @@ Color Shader::layers_color(Surface& surface, const CompiledTexture& texture, con
     if (settings_.quality < kQualityAmbientAndDiffuse) {
       color = {pigment.rgb, 0, 0};
     } else {
-      const LitLayer lit{finish, pigment, layer_opacity(pigment, settings_.legacy), normal, point};
+      const LitLayer lit{finish, pigment, layer_opacity(pigment, settings_.legacy), normal};
       if (plan_.reflection) {
         reflectivity_here = reflectivity(surface, lit, surface.weight * translucency, reflected_weight);
         if (!(reflectivity_here == Rgb(0.0f)))
-          scratch_.reflections.push_back({reflectivity_here, reflected_weight, normal, point, &finish});
+          scratch_.reflections.push_back({reflectivity_here, reflected_weight, normal, &finish});
       }
       color.rgb += own_light(surface, lit) * filter;
     }
@@ -68,8 +68,7 @@ Color Shader::layers_color(Surface& surface, const CompiledTexture& texture, con
   bool total_reflection = false;
   if (plan_.transmission && settings_.quality >= kQualityTransmission && translucency > settings_.adc_bailout &&
       !texture.layers.empty())
-    total_reflection = add_transmission(surface, *texture.layers.back().finish, top_normal, point, filter, translucency, pigment_found,
-                                        color);
+    total_reflection = add_transmission(surface, *texture.layers.back().finish, top_normal, filter, translucency, pigment_found, color);
   if (reflections.size() > 0) add_reflections(surface, top_normal, total_reflection, reflections, color);
   return color;
 }
@@ -82,10 +81,10 @@ Rgb Shader::own_light(Surface& surface, const LitLayer& layer) {
   return light;
 }
 
-bool Shader::add_transmission(Surface& surface, const Finish& top_finish, const dvec3& top_normal, const dvec3& point, Rgb filter,
+bool Shader::add_transmission(Surface& surface, const Finish& top_finish, const dvec3& top_normal, Rgb filter,
                               float translucency, bool pigment_found, Color& color) {
   const float strongest = std::max({std::abs(filter.r), std::abs(filter.g), std::abs(filter.b)});
-  const Transmitted seen = transmitted(surface, top_finish, top_normal, point, surface.weight * strongest);
+  const Transmitted seen = transmitted(surface, top_finish, top_normal, surface.weight * strongest);
   const BuiltInterior& interior = *surface.leaf.interior;
   Rgb attenuation(interior.refraction);
   if (std::abs(interior.fade_distance) > kColorEpsilon && surface.in.interiors.contains(&interior))
@@ -103,7 +102,7 @@ void Shader::add_reflections(Surface& surface, const dvec3& top_normal, bool tot
   for (std::size_t i = 0; i < count; ++i) {
     const ReflectingLayer layer = layers[i];  // a copy: deeper rays use the same stack
     if (total_reflection && same_normal(layer.normal, top_normal)) continue;
-    Rgb seen = reflected(surface, *layer.finish, layer.normal, layer.point, layer.weight).rgb;
+    Rgb seen = reflected(surface, *layer.finish, layer.normal, layer.weight).rgb;
     if (layer.finish->reflection_exponent != 1) seen = power(seen, layer.finish->reflection_exponent);
     color.rgb += layer.amount * seen;
   }

@@ -64,7 +64,7 @@ dvec3 mirror_direction(const dvec3& direction, const dvec3& normal, const dvec3&
   return glm::normalize(mirrored);
 }
 
-Color Shader::reflected(const Surface& surface, const Finish& finish, const dvec3& normal, const dvec3& point, float weight) {
+Color Shader::reflected(const Surface& surface, const Finish& finish, const dvec3& normal, float weight) {
   TracedRay out;
   out.ray.origin = surface.hit.point;
   out.ray.direction = mirror_direction(surface.in.ray.direction, normal, surface.context.raw_normal);
@@ -77,7 +77,7 @@ Color Shader::reflected(const Surface& surface, const Finish& finish, const dvec
   ++context_.counters.reflected_rays;
   Color seen = trace(out, weight);
   if (finish.irid > 0)
-    seen.rgb *= iridescence(finish, point, std::abs(glm::dot(normal, out.ray.direction)),
+    seen.rgb *= iridescence(finish, surface.hit.point, std::abs(glm::dot(normal, out.ray.direction)),
                             std::abs(glm::dot(normal, surface.in.ray.direction)));
   return seen;
 }

@@ -45,7 +45,7 @@ Shader::Crossing Shader::cross(const Surface& surface) const {
 }
 
 Shader::Transmitted Shader::transmitted(const Surface& surface, const Finish& top_finish, const dvec3& top_normal,
-                                        const dvec3& point, float weight) {
+                                        float weight) {
   Crossing crossing = cross(surface);
   TracedRay out;
   out.ray.origin = surface.hit.point;
@@ -63,33 +63,33 @@ Shader::Transmitted Shader::transmitted(const Surface& surface, const Finish& to
     ++context_.counters.transmitted_rays;
     return {trace(out, weight), false};
   }
-  if (disperses && !out.monochromatic) return {dispersed(surface, top_finish, top_normal, point, out, crossing, weight), false};
+  if (disperses && !out.monochromatic) return {dispersed(surface, top_finish, top_normal, out, crossing, weight), false};
   const double index = disperses ? index_at(crossing.index, crossing.dispersion, out.wavelength) : crossing.index;
-  return bent(surface, top_finish, top_normal, point, out, index, weight);
+  return bent(surface, top_finish, top_normal, out, index, weight);
 }
 
-Shader::Transmitted Shader::bent(const Surface& surface, const Finish& top_finish, const dvec3& top_normal, const dvec3& point,
+Shader::Transmitted Shader::bent(const Surface& surface, const Finish& top_finish, const dvec3& top_normal,
                                  TracedRay& out, double index, float weight) {
   const dvec3& direction = surface.in.ray.direction;
   double c = glm::dot(direction, top_normal);
   const dvec3 normal = c > 0 ? -top_normal : top_normal;
   c = std::abs(c);
   const double t = 1 + index * index * (c * c - 1);
-  if (t < 0) return {reflected(surface, top_finish, top_normal, point, weight), true};
+  if (t < 0) return {reflected(surface, top_finish, top_normal, weight), true};
   out.ray.direction = index * direction + (index * c - std::sqrt(t)) * normal;
   ++context_.counters.refracted_rays;
   return {trace(out, weight), false};
 }
 
 // One ray for each band of the spectrum. Its transparency is lost.
-Color Shader::dispersed(const Surface& surface, const Finish& top_finish, const dvec3& top_normal, const dvec3& point, TracedRay& out,
+Color Shader::dispersed(const Surface& surface, const Finish& top_finish, const dvec3& top_normal, TracedRay& out,
                         const Crossing& crossing, float weight) {
   Rgb sum{0.0f};
   out.monochromatic = true;
   for (int i = 0; i < crossing.samples; ++i) {
     out.wavelength = 380 + 350 * (i + 0.5) / crossing.samples;
     const double index = index_at(crossing.index, crossing.dispersion, out.wavelength);
-    sum += bent(surface, top_finish, top_normal, point, out, index, weight).color.rgb * band_color(out.wavelength, crossing.samples);
+    sum += bent(surface, top_finish, top_normal, out, index, weight).color.rgb * band_color(out.wavelength, crossing.samples);
   }
   return {sum * (1 / static_cast<float>(crossing.samples)), 0, 0};
 }

@@ -24,7 +24,6 @@ struct ReflectingLayer {
   Rgb amount;
   float weight;
   dvec3 normal;
-  dvec3 point;  // where its texture was evaluated
   const Finish* finish;
 };
 

@@ -66,7 +66,6 @@ class Shader {
     Color pigment;
     float opacity;
     dvec3 normal;
-    dvec3 point;  // in the texture's space
   };
 
   struct Transmitted {
@@ -91,7 +90,7 @@ class Shader {
   Color layers_color(Surface& surface, const CompiledTexture& texture, const dvec3& point, const TextureSpace* space);
   Rgb own_light(Surface& surface, const LitLayer& layer);
   // True: the light was totally reflected.
-  bool add_transmission(Surface& surface, const Finish& top_finish, const dvec3& top_normal, const dvec3& point, Rgb filter,
+  bool add_transmission(Surface& surface, const Finish& top_finish, const dvec3& top_normal, Rgb filter,
                         float translucency, bool pigment_found, Color& color);
   void add_reflections(Surface& surface, const dvec3& top_normal, bool total_reflection, ScratchBlock<ReflectingLayer>& layers,
                        Color& color);
@@ -128,7 +127,7 @@ class Shader {
   // reflection.cpp
   Rgb reflectivity(const Surface& surface, const LitLayer& layer, float layer_weight, float& ray_weight) const;
   double relative_index(const Surface& surface) const;
-  Color reflected(const Surface& surface, const Finish& finish, const dvec3& normal, const dvec3& point, float weight);
+  Color reflected(const Surface& surface, const Finish& finish, const dvec3& normal, float weight);
 
   // refraction.cpp
   struct Crossing {
@@ -137,10 +136,10 @@ class Shader {
     InteriorList interiors;
   };
   Crossing cross(const Surface& surface) const;
-  Transmitted transmitted(const Surface& surface, const Finish& top_finish, const dvec3& top_normal, const dvec3& point, float weight);
-  Transmitted bent(const Surface& surface, const Finish& top_finish, const dvec3& top_normal, const dvec3& point, TracedRay& out,
+  Transmitted transmitted(const Surface& surface, const Finish& top_finish, const dvec3& top_normal, float weight);
+  Transmitted bent(const Surface& surface, const Finish& top_finish, const dvec3& top_normal, TracedRay& out,
                    double index, float weight);
-  Color dispersed(const Surface& surface, const Finish& top_finish, const dvec3& top_normal, const dvec3& point, TracedRay& out,
+  Color dispersed(const Surface& surface, const Finish& top_finish, const dvec3& top_normal, TracedRay& out,
                   const Crossing& crossing, float weight);
   static Rgb distance_fade(const BuiltInterior& interior, double length);
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+
+#include "engine/output/code_table.hpp"
 
 namespace lute {
 namespace {
@@ -55,6 +58,10 @@ class Encoder {
   }
 
   EncodedImage run() {
+    constexpr std::size_t kWorthATable = 20000;  // codes; making one costs about as much as so many curves
+    if (dither_.is_off() && image_.max < 256 && image_.codes.size() >= kWorthATable) {
+      curve_.emplace([this](float v) { return code_of(encodes_ ? transfer_.encode(v) : v); }, image_.max);
+    }
     for (int i = 0; i < film_.height(); ++i) {
       const int y = bottom_up_ ? film_.height() - 1 - i : i;
       dither_.begin_row();
@@ -64,23 +71,34 @@ class Encoder {
   }
 
  private:
+  int code_of(float number) const { return static_cast<int>(std::floor(clip(number) * static_cast<float>(image_.max) + 0.5f)); }
+
   void pixel(int x, int y) {
     const Channels pixel = channels_of(film_.at(x, y), alpha_, greyscale_);
-    const float max = static_cast<float>(image_.max);
-    const float offset = dither_.step_offset(x, y) / max;
-    Dither::PixelError error{};
     const std::size_t first =
         (static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(x)) *
         static_cast<std::size_t>(image_.channels);
+    if (curve_) {
+      for (int i = 0; i < image_.channels; ++i) {
+        const auto c = static_cast<std::size_t>(i);
+        const float value = pixel.values[c];
+        image_.codes[first + c] = static_cast<std::uint16_t>(i < pixel.colors ? (*curve_)(value) : code_of(value));
+      }
+      return;
+    }
+    const float max = static_cast<float>(image_.max);
+    const float offset = dither_.step_offset(x, y) / max;
+    Dither::PixelError error{};
     for (int i = 0; i < image_.channels; ++i) {
       const auto c = static_cast<std::size_t>(i);
       const bool encoded = encodes_ && i < pixel.colors;
       float value = pixel.values[c];
       if (dither_.diffuses()) value = clip(value + dither_.carried(x)[c]);
       const float number = encoded ? transfer_.encode(value) : value;
-      const float code = std::floor(clip(number + offset) * max + 0.5f);
+      const int code = code_of(number + offset);
       image_.codes[first + c] = static_cast<std::uint16_t>(code);
-      if (dither_.diffuses()) error[c] = value - (encoded ? transfer_.decode(code / max) : code / max);
+      const float stored = static_cast<float>(code) / max;
+      if (dither_.diffuses()) error[c] = value - (encoded ? transfer_.decode(stored) : stored);
     }
     if (dither_.diffuses()) dither_.spread(x, error);
   }
@@ -90,6 +108,7 @@ class Encoder {
   bool alpha_, greyscale_, encodes_, bottom_up_;
   Dither dither_;
   EncodedImage image_;
+  std::optional<CodeTable> curve_;  // of the colours, where it is worth its making
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace lute {
 
@@ -15,7 +16,8 @@ struct Value {
 };
 
 // Horner's rule; `degree` at least 1.
-inline Value evaluate(const double* c, std::size_t degree, double t) {
+template <class Degree>
+inline Value evaluate(const double* c, Degree degree, double t) {
   double f = c[degree];
   double derivative = 0;
   for (std::size_t i = degree; i-- > 0;) {
@@ -26,7 +28,8 @@ inline Value evaluate(const double* c, std::size_t degree, double t) {
 }
 
 // The value, or exactly 0 where it cannot be told from 0: below the rounding error of its own evaluation.
-inline double significant_value(const double* c, std::size_t degree, double t) {
+template <class Degree>
+inline double significant_value(const double* c, Degree degree, double t) {
   double f = c[degree];
   double size = std::abs(f);
   const double abs_t = std::abs(t);
@@ -38,7 +41,8 @@ inline double significant_value(const double* c, std::size_t degree, double t) {
 }
 
 // The root between lo and hi, where the polynomial is monotone and has values of opposite sign.
-double bracketed_root(const double* c, std::size_t degree, double lo, double hi, double f_lo) {
+template <class Degree>
+double bracketed_root(const double* c, Degree degree, double lo, double hi, double f_lo) {
   const bool rising = f_lo < 0;
   double t = 0.5 * (lo + hi);
   for (int step = 0; step < 200; ++step) {
@@ -84,8 +88,46 @@ std::size_t quadratic_roots(const double* c, Interval range, double* out) {
   return count;
 }
 
+struct Bracket {
+  double lo, hi, f_lo;
+};
+
+// Shortens a long bracket that begins at an inner point (where the derivative is 0, or the beginning of a range) and ends far out:
+// steps of growing length from the inner point. The first is the root of the parabola, or the line, that fits there. Without this,
+// Newton's method comes in from afar by a constant factor a step.
+template <class Degree>
+Bracket shorten_from(const double* c, Degree degree, double inner, double outer, double f_inner) {
+  double second = 0, first = 0, f = c[degree];
+  for (std::size_t i = degree; i-- > 0;) {
+    second = second * inner + first;
+    first = first * inner + f;
+    f = f * inner + c[i];
+  }
+  // f + first h + second h^2, with h of the sign of outer - inner.
+  double step = std::sqrt(std::abs(f_inner / second));
+  const double straight = std::abs(f_inner / first);
+  if (straight < step) step = straight;
+  const double whole = std::abs(outer - inner);
+  step = std::max(step, 1e-12 * whole);
+  const double direction = outer > inner ? 1 : -1;
+  double reached = inner, f_reached = f_inner, end = outer;
+  for (double span = 1.25 * step; span < 0.5 * whole; span *= 4) {
+    const double t = inner + direction * span;
+    const double f_t = evaluate(c, degree, t).f;
+    if ((f_t < 0) != (f_inner < 0)) {
+      end = t;
+      break;
+    }
+    reached = t;
+    f_reached = f_t;
+  }
+  if (direction > 0) return {reached, end, f_reached};
+  return {end, reached, -f_reached};
+}
+
 // The roots of a polynomial in range, from the points that split the range into monotone stretches.
-std::size_t roots_between(const double* c, std::size_t degree, Interval range, const double* splits, std::size_t split_count,
+template <class Degree>
+std::size_t roots_between(const double* c, Degree degree, Interval range, const double* splits, std::size_t split_count,
                           double* out) {
   std::size_t count = 0;
   const auto add = [&](double t) {
@@ -99,13 +141,24 @@ std::size_t roots_between(const double* c, std::size_t degree, Interval range, c
     const double hi = last ? range.hi : splits[i];
     if (!(hi > lo)) continue;
     const double f_hi = last ? evaluate(c, degree, hi).f : significant_value(c, degree, hi);
-    if ((f_lo < 0 && f_hi > 0) || (f_lo > 0 && f_hi < 0)) add(bracketed_root(c, degree, lo, hi, f_lo));
+    if ((f_lo < 0 && f_hi > 0) || (f_lo > 0 && f_hi < 0)) {
+      Bracket bracket{lo, hi, f_lo};
+      if (last) {
+        bracket = shorten_from(c, degree, lo, hi, f_lo);
+      } else if (i == 0) {
+        bracket = shorten_from(c, degree, hi, lo, f_hi);
+      }
+      add(bracketed_root(c, degree, bracket.lo, bracket.hi, bracket.f_lo));
+    }
     if (f_hi == 0) add(hi);
     lo = hi;
     f_lo = f_hi;
   }
-  return std::min(count, degree);
+  return std::min<std::size_t>(count, degree);
 }
+
+template <std::size_t N>
+using Fixed = std::integral_constant<std::size_t, N>;
 
 // Fixed degree, so that the compiler can unroll: each degree asks the one below for its derivative's roots.
 template <std::size_t Degree>
@@ -118,8 +171,45 @@ std::size_t fixed_roots(const double* c, Interval range, double* out) {
     for (std::size_t i = 0; i < Degree; ++i) derivative[i] = static_cast<double>(i + 1) * c[i + 1];
     double splits[Degree + 1];
     const std::size_t split_count = fixed_roots<Degree - 1>(derivative, range, splits);
-    return roots_between(c, Degree, range, splits, split_count, out);
+    return roots_between(c, Fixed<Degree>(), range, splits, split_count, out);
   }
+}
+
+// The real roots of a cubic in range, ascending, to ten digits or better: the closed form (Cardano, and Viete's cosines) where its
+// discriminant is far from 0. Where roots meet, also when they only seem to beside a third that is far away, it would lose digits
+// and roots. Good enough to split a quartic: there its slope is 0, so that an error counts by its square.
+std::size_t cubic_splits(const double* c, Interval range, double* out) {
+  const double b = c[2] / (3 * c[3]);
+  const double p = c[1] / (3 * c[3]) - b * b;
+  const double q = b * b * b + 0.5 * (c[0] - b * c[1]) / c[3];
+  const double discriminant = q * q + p * p * p;
+  constexpr double kFarFromZero = 1e-10;
+  if (!(std::abs(discriminant) > kFarFromZero * q * q)) return fixed_roots<3>(c, range, out);
+  std::array<double, 3> t;
+  std::size_t found = 0;
+  if (discriminant > 0) {
+    const double u = std::cbrt(std::abs(q) + std::sqrt(discriminant));
+    t[found++] = -std::copysign(u - p / u, q) - b;
+  } else {
+    const double root = std::sqrt(-p);
+    const double angle = std::acos(std::clamp(q / (p * root), -1.0, 1.0)) / 3;
+    // cos(angle -+ 120 degrees) from one cosine and one sine.
+    const double cosine = root * std::cos(angle), sine = root * std::sqrt(3.0) * std::sin(angle);
+    t = {-cosine - sine - b, -cosine + sine - b, 2 * cosine - b};
+    found = 3;
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < found; ++i)
+    if (range.contains(t[i])) out[count++] = t[i];
+  return count;
+}
+
+std::size_t quartic_roots(const double* c, Interval range, double* out) {
+  if (c[4] == 0) return fixed_roots<3>(c, range, out);
+  const double derivative[4] = {c[1], 2 * c[2], 3 * c[3], 4 * c[4]};
+  double splits[4];
+  const std::size_t split_count = cubic_splits(derivative, range, splits);
+  return roots_between(c, Fixed<4>(), range, splits, split_count, out);
 }
 
 // A finite part of the range that has all roots.
@@ -153,7 +243,7 @@ Roots<4> solve_quartic(const std::array<double, 5>& c, Interval range) {
   range = finite_part(c, range);
   Roots<4> roots;
   if (range.empty()) return roots;
-  roots.count = std::min<std::size_t>(4, fixed_roots<4>(c.data(), range, t.data()));
+  roots.count = std::min<std::size_t>(4, quartic_roots(c.data(), range, t.data()));
   std::copy_n(t.begin(), roots.count, roots.t.begin());
   return roots;
 }

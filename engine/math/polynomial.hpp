@@ -5,7 +5,8 @@
 //
 // Degrees 1 and 2 are closed forms without cancellation. Above, the roots of the derivative split the interval into stretches on
 // which the polynomial is monotone, so that each stretch has a root exactly if the signs at its ends differ; it is found by
-// Newton's method kept inside its bracket (C. Yuksel, High-Performance Polynomial Root Finding for Graphics, 2022). Nothing is
+// Newton's method kept inside its bracket (C. Yuksel, High-Performance Polynomial Root Finding for Graphics, 2022). The two outer
+// stretches, which may be as long as a scene, are cut down first by steps of growing length from their inner end. Nothing is
 // lost or invented at triple roots, tangents or badly scaled coefficients, where the closed cubic and quartic (specification
 // chapter 20 §4) lose digits; elsewhere the results agree.
 #pragma once

@@ -13,28 +13,31 @@ namespace {
 
 constexpr double kInsideTolerance = 1e-4;
 
-// A polynomial in the ray's parameter under construction, ascending.
+// A polynomial in the ray's parameter under construction, ascending. `Capacity` is the highest degree it can take.
+template <int Capacity>
 struct AlongRay {
-  std::array<double, Poly::kMaxOrder + 1> c;
-  int degree = 0;
+  std::array<double, Capacity + 1> c;
 
-  explicit AlongRay(double constant) { c[0] = constant; }
-
-  // this := this * (p + t d) + other
-  void multiply_add(double p, double d, const AlongRay& other) {
+  // this := this * (p + t d) + constant, for a polynomial of degree n
+  void multiply_add(int degree, double p, double d, double constant) {
     const auto n = static_cast<std::size_t>(degree);
     c[n + 1] = c[n] * d;
     for (std::size_t i = n; i > 0; --i) c[i] = c[i] * p + c[i - 1] * d;
-    c[0] *= p;
-    ++degree;
-    for (int i = 0; i <= other.degree; ++i) c[static_cast<std::size_t>(i)] += other.c[static_cast<std::size_t>(i)];
+    c[0] = c[0] * p + constant;
+  }
+  // this := this * (p + t d) + other, where other has degree n + 1
+  void multiply_add(int degree, double p, double d, const AlongRay& other) {
+    multiply_add(degree, p, d, other.c[0]);
+    for (std::size_t i = 1; i <= static_cast<std::size_t>(degree) + 1; ++i) c[i] += other.c[i];
   }
 };
 
 class PolySurface final : public ScannedShape<PolySurface> {
  public:
   PolySurface(const Poly& poly, const Transform& to_world)
-      : order_(poly.order), coefficients_(poly.coefficients), to_world_(to_world) {}
+      : order_(poly.order), coefficients_(poly.coefficients), to_world_(to_world) {
+    note_terms();
+  }
 
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
@@ -42,17 +45,19 @@ class PolySurface final : public ScannedShape<PolySurface> {
     const double length = glm::length(local.direction);
     const dvec3 d = local.direction / length;
     const double shift = -glm::dot(local.origin, d);
-    const AlongRay along = expand(local.origin + shift * d, d);
+    const dvec3 p = local.origin + shift * d;
     const Interval within{range.lo * length - shift, range.hi * length - shift};
     const auto emit = [&](const auto& roots) {
       for (std::size_t i = roots.count; i-- > 0;) sink((roots.t[i] + shift) / length, 0);
     };
-    const auto& c = along.c;
     switch (order_) {
-      case 2: return emit(solve_quadratic({c[0], c[1], c[2]}, within));
-      case 3: return emit(solve_cubic({c[0], c[1], c[2], c[3]}, within));
-      case 4: return emit(solve_quartic({c[0], c[1], c[2], c[3], c[4]}, within));
-      default: return emit(solve_polynomial({c.data(), static_cast<std::size_t>(order_) + 1}, within));
+      case 2: return emit(solve_quadratic(expand<2>(p, d).c, within));
+      case 3: return emit(solve_cubic(expand<3>(p, d).c, within));
+      case 4: return emit(solve_quartic(expand<4>(p, d).c, within));
+      default: {
+        const AlongRay<Poly::kMaxOrder> along = expand<Poly::kMaxOrder>(p, d);
+        return emit(solve_polynomial({along.c.data(), static_cast<std::size_t>(order_) + 1}, within));
+      }
     }
   }
 
@@ -66,28 +71,51 @@ class PolySurface final : public ScannedShape<PolySurface> {
   bool tests_own_box() const override { return false; }
 
  private:
-  // Horner's rule, x outermost; coefficients are met in the order they are kept in.
-  AlongRay expand(const dvec3& p, const dvec3& d) const {
-    std::size_t next = 0;
-    AlongRay fx(0);
-    for (int i = order_; i >= 0; --i) {
-      AlongRay fy(0);
-      for (int j = order_ - i; j >= 0; --j) {
-        AlongRay fz(coefficients_[next++]);
-        for (int k = order_ - i - j; k > 0; --k) fz.multiply_add(p.z, d.z, AlongRay(coefficients_[next++]));
-        if (j == order_ - i) {
-          fy = fz;
-        } else {
-          fy.multiply_add(p.y, d.y, fz);
+  // Horner's rule, x outermost; coefficients are met in the order they are kept in. Up to order 4 the order is the capacity and a
+  // constant, so that the loops unroll. Most polynomials that people write have few terms: what is zero is stepped over.
+  template <int Capacity>
+  AlongRay<Capacity> expand(const dvec3& p, const dvec3& d) const {
+    const int order = Capacity == Poly::kMaxOrder ? order_ : Capacity;
+    const double* next = coefficients_.data();
+    AlongRay<Capacity> fx, fy, fz;
+    fx.c[0] = *next++;
+    for (int nx = 1; nx <= order; ++nx) {
+      if (!has_terms(nx)) {
+        fx.multiply_add(nx - 1, p.x, d.x, 0);
+        next += (nx + 1) * (nx + 2) / 2;
+        continue;
+      }
+      fy.c[0] = *next++;
+      for (int ny = 1; ny <= nx; ++ny) {
+        if (!has_terms(nx, ny)) {
+          fy.multiply_add(ny - 1, p.y, d.y, 0);
+          next += ny + 1;
+          continue;
         }
+        fz.c[0] = *next++;
+        for (int nz = 1; nz <= ny; ++nz) fz.multiply_add(nz - 1, p.z, d.z, *next++);
+        fy.multiply_add(ny - 1, p.y, d.y, fz);
       }
-      if (i == order_) {
-        fx = fy;
-      } else {
-        fx.multiply_add(p.x, d.x, fy);
-      }
+      fx.multiply_add(nx - 1, p.x, d.x, fy);
     }
     return fx;
+  }
+
+  // Whether any term has the power order - nx of x; and then the power nx - ny of y.
+  bool has_terms(int nx) const { return terms_of_x_[static_cast<std::size_t>(nx)]; }
+  bool has_terms(int nx, int ny) const { return terms_of_y_[static_cast<std::size_t>(nx * (nx + 1) / 2 + ny)]; }
+
+  void note_terms() {
+    const double* next = coefficients_.data();
+    for (int nx = 0; nx <= order_; ++nx) {
+      bool any_in_x = false;
+      for (int ny = 0; ny <= nx; ++ny, next += ny) {
+        const bool any = std::any_of(next, next + ny + 1, [](double c) { return c != 0; });
+        terms_of_y_.push_back(any);
+        any_in_x |= any;
+      }
+      terms_of_x_.push_back(any_in_x);
+    }
   }
 
   double value(const dvec3& p) const {
@@ -134,6 +162,7 @@ class PolySurface final : public ScannedShape<PolySurface> {
 
   int order_;
   std::vector<double> coefficients_;
+  std::vector<char> terms_of_x_, terms_of_y_;
   Transform to_world_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "engine/shape/scanned_shape.hpp"
 
@@ -13,11 +14,21 @@ namespace {
 constexpr double kReach = 1.01;      // half side of the box the ray is cut to
 constexpr double kOnSurface = 1e-10;
 
-// (u^q + v^q)^(1/q) for u, v >= 0.
-double p_norm(double u, double v, double q) {
-  const double m = std::max(u, v);
-  if (m == 0) return 0;
-  return m * std::pow(1 + std::pow(std::min(u, v) / m, q), 1 / q);
+// (u^q + v^q)^(1/q) for u, v >= 0, with its derivatives by u and v.
+struct PNorm {
+  double value, by_u, by_v;
+};
+
+PNorm p_norm(double u, double v, double q) {
+  const double larger = std::max(u, v);
+  if (larger == 0) return {0, 1, 1};
+  const double ratio = std::min(u, v) / larger;
+  const double power = std::pow(ratio, q);
+  if (power < 1e-17) return u > v ? PNorm{u, 1, 0} : PNorm{v, 0, 1};
+  const double factor = std::pow(1 + power, 1 / q);
+  const double by_larger = factor / (1 + power);
+  const double by_smaller = by_larger * power / ratio;
+  return u > v ? PNorm{larger * factor, by_larger, by_smaller} : PNorm{larger * factor, by_smaller, by_larger};
 }
 
 class RoundedBox final : public ScannedShape<RoundedBox> {
@@ -32,26 +43,10 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
     local.direction /= length;
     Interval stretch{range.lo * length, range.hi * length};
     if (!cut_by_box(local, stretch)) return;
-    std::array<double, 11> samples;
-    const std::size_t count = sample_depths(local, stretch, samples);
-    double f_before = value(local.at(samples[0]));
-    if (std::abs(f_before) < kOnSurface) sink(samples[0] / length, 0);
-    for (std::size_t i = 1; i < count; ++i) {
-      const double before = samples[i - 1];
-      const double here = samples[i];
-      const double f = value(local.at(here));
-      if (std::abs(f) < kOnSurface) {
-        sink(here / length, 0);
-      } else if (f_before * f < 0 && std::abs(f_before) >= kOnSurface) {
-        sink(crossing(local, before, here, f_before) / length, 0);
-      } else if (f_before > 0 && f > 0) {
-        double dip = 0;
-        if (finds_dip(local, before, here, dip)) {
-          sink(crossing(local, before, dip, f_before) / length, 0);
-          sink(crossing(local, dip, here, -1) / length, 0);
-        }
-      }
-      f_before = f;
+    if (convex()) {
+      scan_convex(local, stretch, 1 / length, sink);
+    } else {
+      scan_samples(local, stretch, 1 / length, sink);
     }
   }
 
@@ -64,8 +59,88 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
   }
 
  private:
+  struct Along {
+    double f, slope;
+  };
+
+  // With exponents of at least 1 the value is a norm minus 1, and so a convex function of the depth: a ray has at most one entry and
+  // one exit.
+  bool convex() const { return alpha_ >= 1 && gamma_ >= 1; }
+
+  // Newton's method from the ends of the stretch never steps over a root of a convex function, and a slope away from 0 before one is
+  // found says that there is none.
+  template <class Sink>
+  void scan_convex(const Ray& ray, Interval stretch, double scale, Sink& sink) const {
+    const Along first = along(ray, stretch.lo);
+    if (std::abs(first.f) < kOnSurface && sink(stretch.lo * scale, 0)) return;
+    if (first.f >= kOnSurface) {
+      const double entry = newton(ray, stretch.lo, first, stretch);
+      if (std::isnan(entry) || sink(entry * scale, 0)) return;
+    } else if (first.f > -kOnSurface && first.slope >= 0) {
+      return;
+    }
+    const Along last = along(ray, stretch.hi);
+    if (last.f < kOnSurface) return;
+    const double exit = newton(ray, stretch.hi, last, stretch);
+    if (!std::isnan(exit)) sink(exit * scale, 0);
+  }
+
+  // The root that lies downhill of `t`; NaN if there is none in the stretch.
+  double newton(const Ray& ray, double t, Along here, Interval stretch) const {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const bool forward = here.slope < 0;
+    if (forward != (t == stretch.lo)) return kNone;
+    for (int step = 0; step < 100; ++step) {
+      const double next = t - here.f / here.slope;
+      if (!stretch.contains(next)) return kNone;
+      if (next == t) return t;
+      const double before = t;
+      t = next;
+      here = along(ray, t);
+      // Below the rounding of the value itself the next step says nothing any more.
+      if (here.f <= 4 * std::numeric_limits<double>::epsilon() || std::abs(t - before) <= 1e-16 * std::abs(t)) return t;
+      if ((here.slope < 0) != forward) return kNone;
+    }
+    return here.f < kOnSurface ? t : kNone;
+  }
+
+  // The value at a depth and its derivative by the depth.
+  Along along(const Ray& ray, double t) const {
+    const dvec3 p = ray.at(t);
+    const PNorm ring = p_norm(std::abs(p.x), std::abs(p.y), alpha_);
+    const PNorm whole = p_norm(ring.value, std::abs(p.z), gamma_);
+    const double ring_slope = ring.by_u * std::copysign(ray.direction.x, p.x * ray.direction.x) +
+                              ring.by_v * std::copysign(ray.direction.y, p.y * ray.direction.y);
+    return {whole.value - 1, whole.by_u * ring_slope + whole.by_v * std::copysign(ray.direction.z, p.z * ray.direction.z)};
+  }
+
+  template <class Sink>
+  void scan_samples(const Ray& local, Interval stretch, double scale, Sink& sink) const {
+    std::array<double, 11> samples;
+    const std::size_t count = sample_depths(local, stretch, samples);
+    double f_before = value(local.at(samples[0]));
+    if (std::abs(f_before) < kOnSurface) sink(samples[0] * scale, 0);
+    for (std::size_t i = 1; i < count; ++i) {
+      const double before = samples[i - 1];
+      const double here = samples[i];
+      const double f = value(local.at(here));
+      if (std::abs(f) < kOnSurface) {
+        sink(here * scale, 0);
+      } else if (f_before * f < 0 && std::abs(f_before) >= kOnSurface) {
+        sink(crossing(local, before, here, f_before) * scale, 0);
+      } else if (f_before > 0 && f > 0) {
+        double dip = 0;
+        if (finds_dip(local, before, here, dip)) {
+          sink(crossing(local, before, dip, f_before) * scale, 0);
+          sink(crossing(local, dip, here, -1) * scale, 0);
+        }
+      }
+      f_before = f;
+    }
+  }
+
   double value(const dvec3& p) const {
-    return p_norm(p_norm(std::abs(p.x), std::abs(p.y), alpha_), std::abs(p.z), gamma_) - 1;
+    return p_norm(p_norm(std::abs(p.x), std::abs(p.y), alpha_).value, std::abs(p.z), gamma_).value - 1;
   }
 
   // Along the outward normal on the surface, of any length.

@@ -84,6 +84,36 @@ TEST(Polynomial, RandomQuarticsGiveTheirRootsAtEveryScale) {
   }
 }
 
+// A quartic that is nearly a quadratic: two roots nearby, two so far away that the closed form for its splits would drown the near
+// ones.
+TEST(Polynomial, QuarticWithFarRootsKeepsTheNearOnes) {
+  for (double far = 1e2; far <= 1e14; far *= 10) {
+    const std::vector<double> c = from_roots({-far, 0.25, 1.5, 2 * far});
+    const std::vector<double> found = list(solve_quartic(fixed<5>(c), {-10, 10}));
+    ASSERT_EQ(found.size(), 2u) << far;
+    EXPECT_NEAR(found[0], 0.25, 1e-12) << far;
+    EXPECT_NEAR(found[1], 1.5, 1e-12) << far;
+  }
+}
+
+// The range of a ray is as long as a scene may be.
+TEST(Polynomial, LongRangeLosesNothing) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<double> expected(4);
+    for (double& r : expected) r = 3 + unit(random);
+    std::sort(expected.begin(), expected.end());
+    double gap = 1;
+    for (std::size_t k = 1; k < 4; ++k) gap = std::min(gap, expected[k] - expected[k - 1]);
+    if (gap < 1e-2) continue;
+    const std::vector<double> found = list(solve_quartic(fixed<5>(from_roots(expected)), {1e-4, 1e7}));
+    ASSERT_EQ(found.size(), 4u);
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(found[k], expected[k], 1e-7);
+    EXPECT_EQ(list(solve_quartic(fixed<5>(from_roots(expected)), {-1e7, 2})).size(), 0u);
+  }
+}
+
 TEST(Polynomial, HighDegree) {
   const std::vector<double> expected{-2, -1.5, -.75, -.1, .2, .9, 1.3, 1.9, 2.5, 3};
   const std::vector<double> found = list(solve_polynomial(from_roots(expected), kEverywhere));

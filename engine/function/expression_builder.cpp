@@ -44,6 +44,11 @@ ExpressionBuilder::Node ExpressionBuilder::constant(double value) {
   return add({.kind = Kind::kConstant, .value = value, .inputs = {}});
 }
 
+// A constant that was computed from others.
+ExpressionBuilder::Node ExpressionBuilder::folded(double value) {
+  return add({.kind = Kind::kConstant, .detail = 1, .value = value, .inputs = {}});
+}
+
 ExpressionBuilder::Node ExpressionBuilder::parameter(unsigned index) {
   return add({.kind = Kind::kParameter, .index = index, .inputs = {}, .has_parameter = true});
 }
@@ -62,21 +67,19 @@ bool ExpressionBuilder::is_constant(Node a, double* value) const {
 
 ExpressionBuilder::Node ExpressionBuilder::unary(UnaryOp op, Node a) {
   double value = 0;
-  if (is_constant(a, &value)) {
-    if (op == UnaryOp::kLn && value <= 0) throw ConstantDomainError{"Domain error in 'ln'."};
-    if (op == UnaryOp::kLog && value <= 0) throw ConstantDomainError{"Domain error in 'log'."};
-    return constant(apply(op, value));
-  }
+  if (is_constant(a, &value)) return folded(apply(op, value));
   return add({.kind = Kind::kUnary, .detail = static_cast<std::uint8_t>(op), .inputs = {a}});
 }
 
 ExpressionBuilder::Node ExpressionBuilder::binary(BinaryOp op, Node a, Node b) {
   double right = 0;
   const bool right_constant = is_constant(b, &right);
-  if (op == BinaryOp::kDivide && right_constant && right == 0) throw ConstantDomainError{"Division by zero."};
+  // Only a 0 that is written so, under something that varies: `1/0` and `x/(1-1)` are infinite.
+  const bool written_zero = right_constant && right == 0 && nodes_[b].kind == Kind::kConstant && nodes_[b].detail == 0;
+  if (op == BinaryOp::kDivide && written_zero && !is_constant(a, nullptr)) throw ConstantDomainError{"Division by zero."};
   if (op == BinaryOp::kSubtract && right_constant) return binary(BinaryOp::kAdd, a, constant(-right));
   double left = 0;
-  if (right_constant && is_constant(a, &left)) return constant(apply(op, left, right));
+  if (right_constant && is_constant(a, &left)) return folded(apply(op, left, right));
 
   // (X op1 c1) op2 c2 becomes X op1 (c1 op2 c2): the reference folds neighbouring constants whatever stands to their left. For * and /
   // it does so only where no parameter stands there.
@@ -87,7 +90,7 @@ ExpressionBuilder::Node ExpressionBuilder::binary(BinaryOp op, Node a, Node b) {
     if (chain_level(inner) == chain_level(op) && is_constant(chain.inputs[1], &middle) &&
         (chain_level(op) != 2 || !chain.has_parameter)) {
       const Node rest = chain.inputs[0];
-      return binary(inner, rest, constant(apply(op, middle, right)));
+      return binary(inner, rest, folded(apply(op, middle, right)));
     }
   }
   return add({.kind = Kind::kBinary, .detail = static_cast<std::uint8_t>(op), .inputs = {a, b}});

@@ -57,7 +57,7 @@ class Program final : public Function {
   std::uint16_t result_ = 0;
 };
 
-// A domain error that the language reports when it folds constants ("Domain error in 'ln'.", "Division by zero.").
+// A mistake that the language reports when it folds constants ("Division by zero.").
 struct ConstantDomainError {
   std::string message;
 };
@@ -73,7 +73,8 @@ class ExpressionBuilder {
 
   Node unary(UnaryOp op, Node a);
   // Folds neighbouring constants of one precedence level as the reference does, also where that changes the meaning
-  // (`a < 3 = 1` is `a < (3 = 1)`). Throws ConstantDomainError for a division by the constant 0.
+  // (`a < 3 = 1` is `a < (3 = 1)`). Throws ConstantDomainError for a division of what varies
+  // by a 0 that is written as such.
   Node binary(BinaryOp op, Node a, Node b);
   Node group(Node a);  // a parenthesised expression: no folding across its border
   Node select(Node value, Node negative, Node zero, Node positive);  // three arguments: pass `zero` twice
@@ -90,7 +91,7 @@ class ExpressionBuilder {
   enum class Kind : std::uint8_t { kConstant, kParameter, kLocal, kUnary, kBinary, kGroup, kSelect, kSum, kProduct, kCall };
   struct Data {
     Kind kind;
-    std::uint8_t detail = 0;         // operator, component
+    std::uint8_t detail = 0;         // operator, component; of a constant 1 if it was computed
     std::uint32_t index = 0;         // parameter, local, callee
     double value = 0;                // constant
     std::vector<Node> inputs;
@@ -98,6 +99,7 @@ class ExpressionBuilder {
   };
 
   Node add(Data data);
+  Node folded(double value);
   Node repeat(bool product, Node local, Node from, Node to, Node term);
 
   std::vector<Data> nodes_;

@@ -83,6 +83,14 @@ ParseResult parse_frame(const RenderOptions& options, const Frame& frame, const 
   parse.height = options.height;
   parse.version = options.version;
   parse.include_header = options.include_header;
+  parse.limits = options.limits;
+  parse.allow_read = options.allow_read;
+  parse.allow_write = options.allow_write;
+  if (options.output_to_file) {
+    const std::string folder = std::filesystem::path(output_path(options, frame)).parent_path().string();
+    parse.allow_read.push_back(folder);
+    parse.allow_write.push_back(folder);
+  }
   parse.geometry = &geometry;
   parse.texture_functions = &texture_functions;
   parse.on_diagnostic = [&console](const Diagnostic& diagnostic) { console.diagnostic(diagnostic); };

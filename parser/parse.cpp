@@ -60,7 +60,10 @@ void open_scene(Session& session) {
     if (main_file == nullptr) session.fail("Cannot open input file '" + options.input_file + "'.", "missing-file");
   }
   session.stream.enter_file(*main_file);
-  if (!options.include_header.empty()) include_file(session, options.include_header);
+  if (!options.include_header.empty()) {
+    session.permissions.allow_read(std::filesystem::path(options.include_header).parent_path().string());
+    include_file(session, options.include_header);
+  }
 }
 
 // The old spellings of directives without '#', at the top level only.
@@ -89,10 +92,22 @@ bool parse_old_directive(Session& session) {
 }
 
 void parse_statements(Session& session) {
-  while (!session.reader.at(TokenKind::kEnd)) {
+  while (!session.stream.peek_statement().is(TokenKind::kEnd)) {
+    if (!session.recovery.within_budget()) return;
     if (parse_old_directive(session)) continue;
-    session.open_braces = 0;
+    session.open_blocks.clear();
     if (!parse_statement(session.reader)) session.fail_expected("object or directive", session.reader.peek());
+  }
+}
+
+// To the end of the scene, past the errors in it.
+void parse_all_statements(Session& session) {
+  for (;;) {
+    try {
+      return parse_statements(session);
+    } catch (const SceneError& error) {
+      if (!session.recovery.recover(error)) return;
+    }
   }
 }
 
@@ -124,9 +139,9 @@ ParseResult parse_scene(const ParseOptions& options) {
   try {
     predeclare_all(session);
     open_scene(session);
-    parse_statements(session);
-    finish(session);
-    result.ok = true;
+    parse_all_statements(session);
+    result.ok = !session.recovery.any();
+    if (result.ok) finish(session);
   } catch (const SceneError& error) {
     session.diagnostics.report(error.diagnostic());
   }

@@ -13,6 +13,7 @@
 #include "engine/scene/geometry_query.hpp"
 #include "engine/scene/scene.hpp"
 #include "parser/diagnostic/diagnostic.hpp"
+#include "parser/parse_limits.hpp"
 
 namespace lute {
 
@@ -20,13 +21,6 @@ namespace lute {
 struct FrameValues {
   int frame_number = 0, initial_frame = 0, final_frame = 0;
   double initial_clock = 0, final_clock = 0, clock_delta = 0;
-};
-
-struct ParseLimits {
-  std::size_t nesting = 200;                    // parentheses, vectors and calls inside one expression
-  std::uint64_t loop_turns = 4'000'000'000ull;  // of all loops together
-  std::uint64_t memory_bytes = 0;               // 0: no limit; checked at allocations that a scene controls
-  std::uint64_t file_bytes = 0xFFFF'FFF0ull;    // of one file: offsets are 32 bits
 };
 
 struct ParseOptions {
@@ -41,6 +35,7 @@ struct ParseOptions {
   std::optional<int> version;             // Version= option, times 100
   std::string include_header;             // "" or a file that is included before the scene
   ParseLimits limits;
+  std::vector<std::string> allow_read, allow_write;  // folders beside those of parser/file_permissions.hpp
 
   GeometryQuery* geometry = nullptr;            // answers trace, inside, min_extent, max_extent
   TextureFunctions* texture_functions = nullptr;  // makes functions of pigments and patterns
@@ -49,7 +44,7 @@ struct ParseOptions {
 };
 
 struct ParseResult {
-  bool ok = false;  // false: the last diagnostic is the fatal error
+  bool ok = false;  // false: there is an error among the diagnostics, and the scene is not complete
   Scene scene;
   std::vector<Diagnostic> diagnostics;
 };

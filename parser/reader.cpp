@@ -37,14 +37,17 @@ void Reader::expect(Word wanted) {
 bool Reader::at_written(Word wanted) { return session_.stream.at_written(wanted); }
 
 void Reader::open(Word keyword) {
-  constexpr int kMostBraces = 1000;
+  const OpenBlock block{session_.stream.last_file, session_.stream.last_token};
   const Item& next = peek();
   if (!next.is(TokenKind::kLeftBrace)) {
     session_.fail_at("Missing { after '" + std::string(spelling(keyword)) + "', " + printed_name(session_, next) + " found instead",
                      "missing-brace", next);
   }
   take();
-  if (++session_.open_braces > kMostBraces) session_.fail("Braces are nested too deeply.", "nesting");
+  session_.open_blocks.push_back(block);
+  if (session_.open_blocks.size() > session_.options.limits.blocks) {
+    session_.fail("Braces are nested too deeply: the limit is " + std::to_string(session_.options.limits.blocks) + ".", "limit-blocks");
+  }
 }
 
 void Reader::close(Word keyword) {
@@ -55,10 +58,18 @@ void Reader::close(Word keyword) {
         "No matching } in '" + std::string(spelling(keyword)) + "', " + printed_name(session_, next) + " found instead", next.file,
         next.source);
     diagnostic.hint = session_.suggestion(next);
+    if (!session_.open_blocks.empty()) {
+      const OpenBlock& block = session_.open_blocks.back();
+      const SourceLocation where = session_.locate(block.file, block.keyword);
+      if (where.line != diagnostic.where.line || where.file != diagnostic.where.file) {
+        diagnostic.chain.insert(diagnostic.chain.begin(), {"'" + std::string(spelling(keyword)) + "' was opened at",
+                                                           session_.files[block.file]->name, where});
+      }
+    }
     session_.report_fatal(std::move(diagnostic));
   }
   take();
-  --session_.open_braces;
+  if (!session_.open_blocks.empty()) session_.open_blocks.pop_back();
 }
 
 double Reader::number() { return promoted(session_, evaluate(session_, Level::kAdditive), 1).c[0]; }

@@ -1,7 +1,10 @@
 #include "parser/session.hpp"
 
 #include <array>
+#include <filesystem>
 
+#include "parser/diagnostic/advice.hpp"
+#include "parser/directives/directive_words.hpp"
 #include "parser/expression/expression.hpp"
 
 namespace lute {
@@ -11,8 +14,19 @@ Session::Session(const ParseOptions& parse_options)
       diagnostics(parse_options.on_diagnostic),
       reader(*this),
       stream(*this),
+      recovery(*this),
+      resources(*this, parse_options.limits),
       declare_values(make_declare_values()),
-      statements(make_statement_state()) {}
+      statements(make_statement_state()) {
+  const std::string scene_folder = std::filesystem::path(options.input_file).parent_path().string();
+  for (const std::string& folder : {std::string(), scene_folder}) {
+    permissions.allow_read(folder);
+    permissions.allow_write(folder);
+  }
+  for (const std::string& folder : options.library_paths) permissions.allow_read(folder);
+  for (const std::string& folder : options.allow_read) permissions.allow_read(folder);
+  for (const std::string& folder : options.allow_write) permissions.allow_write(folder);
+}
 
 Session::~Session() = default;
 
@@ -22,6 +36,7 @@ SourceLocation Session::locate(std::uint32_t file, const Token* token) const {
 }
 
 Diagnostic Session::diagnose(Severity severity, std::string code, std::string message, std::uint32_t file, const Token* token) {
+  if (severity == Severity::kError) recovery.set_place(file, token);
   Diagnostic d;
   d.severity = severity;
   d.code = std::move(code);
@@ -55,14 +70,37 @@ Diagnostic Session::diagnose(Severity severity, std::string code, std::string me
   return d;
 }
 
-void Session::report_fatal(Diagnostic diagnostic) { throw SceneError(std::move(diagnostic)); }
+void Session::report_fatal(Diagnostic diagnostic) {
+  if (diagnostic.hint.empty()) diagnostic.hint = advice(diagnostic);
+  throw SceneError(std::move(diagnostic));
+}
 
 void Session::fail(std::string message, std::string code) {
   report_fatal(diagnose(Severity::kError, std::move(code), std::move(message), stream.last_file, stream.last_token));
 }
 
 void Session::fail_at(std::string message, std::string code, const Item& item) {
-  report_fatal(diagnose(Severity::kError, std::move(code), std::move(message), item.file, item.source));
+  Diagnostic d = diagnose(Severity::kError, std::move(code), std::move(message), item.file, item.source);
+  d.hint = suggestion(item);
+  report_fatal(std::move(d));
+}
+
+void Session::fail_missing_end(const Item& item) {
+  Diagnostic d = diagnose(Severity::kError, "missing-end", "End of file reached but #end expected.", item.file, item.source);
+  const Conditional* const open = stream.conditionals.empty() ? nullptr : &stream.conditionals.back();
+  if (open != nullptr && open->start != nullptr && open->frame < stream.frames.size()) {
+    const SourceFile& file = *stream.frames[open->frame].file;
+    const Token* const first = file.tokens.data();
+    const Token* word = open->start;  // behind the directive's keyword
+    if (word >= first && word < first + file.tokens.size()) {
+      while (word > first && !(word[-1].kind == TokenKind::kHash && opens_region(*word))) --word;
+      if (word > first) {
+        d.chain.insert(d.chain.begin(), {"'#" + std::string(spelling(word->word)) + "' was opened at", file.name,
+                                         file.locate(word[-1].offset)});
+      }
+    }
+  }
+  report_fatal(std::move(d));
 }
 
 void Session::fail_after(std::string message, std::string code, std::string hint) {

@@ -10,9 +10,12 @@
 
 #include "parser/directives/token_stream.hpp"
 #include "parser/expression/code.hpp"
+#include "parser/file_permissions.hpp"
 #include "parser/lexer/source_file.hpp"
 #include "parser/parse.hpp"
 #include "parser/reader.hpp"
+#include "parser/recovery/recovery.hpp"
+#include "parser/resource_meter.hpp"
 #include "parser/statement/statement.hpp"
 #include "parser/value/symbol_table.hpp"
 
@@ -26,6 +29,12 @@ struct LanguageState {
   Reader::Charset charset = Reader::Charset::kAscii;
 };
 
+// A block that is being read: the place of its keyword.
+struct OpenBlock {
+  std::uint32_t file = 0;
+  const Token* keyword = nullptr;
+};
+
 struct Session {
   explicit Session(const ParseOptions& parse_options);
   ~Session();
@@ -33,6 +42,7 @@ struct Session {
   Session& operator=(const Session&) = delete;
 
   const ParseOptions& options;
+  FilePermissions permissions;
   DiagnosticSink diagnostics;
   Scene scene;
   LanguageState language;
@@ -43,12 +53,13 @@ struct Session {
   SymbolTable symbols;
   Reader reader;
   TokenStream stream;
+  Recovery recovery;
   ExpressionState expressions;
   std::vector<std::uint32_t> random_states;  // of the streams that seed() made
   std::string debug_line;                    // #debug text that has no line end yet
-  std::uint64_t loop_turns = 0;
+  ResourceMeter resources;
   int nested_directives = 0;
-  int open_braces = 0;
+  std::vector<OpenBlock> open_blocks;
   bool spline_used = false;  // an experimental feature: told at the end
   bool noise_generator_given = false;  // by global_settings: #version no longer changes it
 
@@ -66,6 +77,7 @@ struct Session {
   Diagnostic diagnose(Severity severity, std::string code, std::string message, std::uint32_t file, const Token* token);
   [[noreturn]] void fail(std::string message, std::string code = "scene-error");  // at the token taken last
   [[noreturn]] void fail_at(std::string message, std::string code, const Item& item);
+  [[noreturn]] void fail_missing_end(const Item& item);  // at the end of a file; names what was opened last
   [[noreturn]] void fail_after(std::string message, std::string code, std::string hint);  // behind the token taken last
   [[noreturn]] void fail_expected(std::string_view what, const Item& found);
   [[noreturn]] void report_fatal(Diagnostic diagnostic);

@@ -42,11 +42,6 @@ void find_branch(Session& session) {
   }
 }
 
-void begin_if(Session& session, bool condition) {
-  push(session, Kind::kIf);
-  if (!condition) find_branch(session);
-}
-
 // The argument of #case or #range; true if it matches.
 bool case_matches(Session& session, Word word, double value) {
   if (word == Word::kCase) return std::fabs(parenthesised_number(session) - value) < kEpsilon;
@@ -67,18 +62,29 @@ void open_paren(Session& session) {
 }
 
 void close_paren(Session& session) {
+  session.stream.fetch_after_operand();
   const Item& next = session.stream.peek();
   if (!next.is(TokenKind::kRightParen)) session.fail_expected(")", next);
   session.stream.take();
 }
 
-void run_if(Session& session) { begin_if(session, parenthesised_condition(session)); }
+void begin_if(Session& session, bool condition) {
+  push(session, Kind::kIf);
+  if (!condition) find_branch(session);
+}
+
+void run_if(Session& session) {
+  const Token* const word = session.stream.last_token;
+  const bool condition = parenthesised_condition(session);
+  KnownDirective known;
+  known.word = Word::kIf;
+  remember_directive(session, word - 1, known, word + 2, TokenKind::kRightParen);
+  begin_if(session, condition);
+}
 
 bool is_defined(Session& session) {
   const Item name = session.stream.take_raw();
-  if (name.is(TokenKind::kWord)) return false;
-  if (name.is(TokenKind::kName)) return false;
-  if (!name.is(TokenKind::kIdentifier)) session.fail_expected("identifier", name);
+  if (!name.is(TokenKind::kIdentifier)) return false;  // whatever it is: also a number or a string
   Slot slot = name.slot;
   std::uint8_t subscripts = 0;
   while (const ArrayPtr* array = slot->get_if<ArrayPtr>()) {

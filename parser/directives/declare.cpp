@@ -44,6 +44,7 @@ ParsedValue parse_identifier_value(Session& session, ValueUse use) {
     return new_value(numeric_value(session, use), true);
   }
   if (use == ValueUse::kArgument && !slot->holds<FunctionPtr>()) return {slot, true, false};
+  session.resources.charge(size_of_copy(*slot));
   return new_value(copy(*slot));
 }
 
@@ -68,7 +69,8 @@ ParsedValue parse_value(Session& session, ValueUse use) {
     const TokenStream::AfterOperand directives(session.stream, true);
     return new_value(found->second(reader));
   }
-  if (starts_number(next)) return new_value(numeric_value(session, use), true);
+  // As in the reference, `t` can begin no value: `-t` or `(t)` can.
+  if (starts_number(next) && word != Word::kT) return new_value(numeric_value(session, use), true);
   if (starts_color(next)) {
     const TokenStream::AfterOperand directives(session.stream, use != ValueUse::kDeclare);
     return new_value(Number(parse_color(session, 5).color), true);
@@ -99,7 +101,7 @@ void set_element(Session& session, Array& array, Value& element, Value value) {
   if (array.type != type_code(value)) check_element_type(session, array, value);
   array.type = type_code(value);
   array.nesting = std::max(array.nesting, nesting(value) + 1);
-  if (array.nesting > kMostArrayNesting) session.fail("Arrays are nested too deeply.", "nesting");
+  if (array.nesting > kMostArrayNesting) session.fail("Arrays are nested too deeply.", "limit-nesting");
   assign(session, element, std::move(value));
 }
 
@@ -140,12 +142,10 @@ Value parse_array(Session& session) {
     }
     array->sizes.push_back(static_cast<int>(size));
     count *= static_cast<std::size_t>(size);
-    const std::size_t limit = session.options.limits.memory_bytes;
-    if (count > kMostElements || (limit != 0 && count * sizeof(Value) > limit)) {
-      session.fail("This array would need more memory than is allowed.", "limit-memory");
-    }
+    if (count > kMostElements) session.fail("This array would need more memory than is allowed.", "limit-memory");
     session.reader.expect(TokenKind::kRightSquare);
   } while (stream.at_written(TokenKind::kLeftSquare) && session.reader.accept(TokenKind::kLeftSquare));
+  session.resources.charge(count * sizeof(Value));
   array->elements.resize(count);
   std::size_t position = 0;
   if (stream.at_written(TokenKind::kLeftBrace)) parse_initialiser(session, *array, 0, position);
@@ -229,6 +229,7 @@ void end_declaration(Session& session, bool numeric) {
 
 void run_declare(Session& session, bool local) {
   TokenStream& stream = session.stream;
+  const Token* const keyword = stream.last_token;
   std::shared_ptr<Deprecation> deprecation = parse_deprecation(session);
   const Item name = stream.take_raw();
   const bool undeclared = name.is(TokenKind::kName);
@@ -261,6 +262,12 @@ void run_declare(Session& session, bool local) {
   if (!equals.is(TokenKind::kEqual)) session.fail_expected("=", equals);
   ParsedValue value = parse_value(session, ValueUse::kDeclare);
   end_declaration(session, value.numeric);
+  if (value.numeric && !array && keyword + 1 == name.source && name.source + 1 == equals.source) {
+    KnownDirective known;
+    known.word = local ? Word::kLocal : Word::kDeclare;
+    known.name = id;
+    remember_directive(session, keyword - 1, known, equals.source + 1, TokenKind::kSemicolon);
+  }
 
   if (array) {
     set_element(session, *array, *element, std::move(*value.slot));
@@ -286,7 +293,7 @@ void run_undef(Session& session) {
     session.warn("Attempt to undef unknown identifier", "undef-unknown");
     return;
   }
-  if (!name.is(TokenKind::kIdentifier)) session.fail_expected("identifier", name);
+  if (!name.is(TokenKind::kIdentifier)) session.fail_expected("undeclared identifier", name);
   Slot slot = name.slot;
   std::uint8_t subscripts = 0;
   while (slot->holds<ArrayPtr>() && stream.at_written(TokenKind::kLeftSquare)) {

@@ -1,22 +1,13 @@
 #include "parser/directives/directive.hpp"
 
+#include "parser/directives/directive_words.hpp"
+
 namespace lute {
 
 namespace {
 
 // Directives inside the arguments of directives, without end, must not exhaust the stack.
 constexpr int kMostNestedDirectives = 200;
-
-bool is_directive(Word word) {
-  switch (word) {
-    case Word::kDeclare: case Word::kLocal: case Word::kUndef: case Word::kIf: case Word::kIfdef: case Word::kIfndef:
-    case Word::kElseif: case Word::kElse: case Word::kEnd: case Word::kWhile: case Word::kFor: case Word::kSwitch:
-    case Word::kCase: case Word::kRange: case Word::kBreak: case Word::kMacro: case Word::kInclude: case Word::kVersion:
-    case Word::kDefault: case Word::kDebug: case Word::kWarning: case Word::kError: case Word::kRender:
-    case Word::kStatistics: case Word::kFopen: case Word::kFclose: case Word::kRead: case Word::kWrite: return true;
-    default: return false;
-  }
-}
 
 void dispatch(Session& session, Word word) {
   switch (word) {
@@ -67,7 +58,7 @@ void run_directive(Session& session) {
   TokenFrame& frame = stream.frames.back();
   const Token* const hash = frame.cursor;
   const Token* const keyword = hash + 1;
-  if (keyword == frame.end || keyword->kind != TokenKind::kWord || !is_directive(keyword->word)) {
+  if (keyword == frame.end || !is_directive(*keyword)) {
     pass_over_hash(session);
     return;
   }

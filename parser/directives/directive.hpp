@@ -10,6 +10,7 @@ void run_directive(Session& session);
 
 // conditional.cpp
 void run_if(Session& session);
+void begin_if(Session& session, bool condition);  // behind the condition
 void run_ifdef(Session& session, bool wanted);
 void run_elseif(Session& session);
 void run_else(Session& session);
@@ -19,6 +20,7 @@ bool is_defined(Session& session);  // NAME or NAME[subscripts] next: ifdef and 
 
 // loop.cpp
 void run_while(Session& session);
+void repeat_for(Session& session);  // the next turn of the innermost conditional, a #for; the cursor is behind its #end
 void run_for(Session& session);
 void run_end(Session& session);
 void run_break(Session& session);

@@ -1,5 +1,4 @@
-// #include and #version; the search for files. Source: specification chapter 10 §6.1, §6.2.
-#include <algorithm>
+// #include and #version; files are read and lexed once. Source: specification chapter 10 §6.1, §6.2.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -18,79 +17,7 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-bool ends_with(const std::string& name, std::string_view extension) {
-  return name.size() >= extension.size() && std::string_view(name).substr(name.size() - extension.size()) == extension;
-}
-
-std::string lower(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return text;
-}
-
-// The file of `folder` / `name` when upper and lower case are not told apart in any part of the name.
-std::optional<fs::path> find_ignoring_case(const fs::path& folder, const fs::path& name) {
-  fs::path at = folder.empty() ? fs::path(".") : folder;
-  for (const fs::path& part : name) {
-    if (part == "." || part == ".." || part == "/") {
-      at = part == "/" ? part : at / part;
-      continue;
-    }
-    std::error_code error;
-    std::vector<fs::path> matches;
-    for (fs::directory_iterator entry(at, error), end; !error && entry != end; entry.increment(error)) {
-      if (lower(entry->path().filename().string()) == lower(part.string())) matches.push_back(entry->path());
-    }
-    if (matches.empty()) return std::nullopt;
-    at = *std::min_element(matches.begin(), matches.end());
-  }
-  if (!is_file(at)) return std::nullopt;
-  return at;
-}
-
-// Names in the order in which they are tried.
-std::vector<std::string> variants(const std::string& name, std::initializer_list<std::string_view> extensions) {
-  std::vector<std::string> result;
-  const bool has_extension =
-      std::any_of(extensions.begin(), extensions.end(), [&](std::string_view e) { return ends_with(name, e); });
-  if (has_extension) result.push_back(name);
-  for (const std::string_view extension : extensions) result.push_back(name + std::string(extension));
-  if (!has_extension) result.push_back(name);
-  return result;
-}
-
 }  // namespace
-
-std::optional<std::string> find_scene_file(Session& session, const std::string& name,
-                                           std::initializer_list<std::string_view> extensions) {
-  if (name.empty()) return std::nullopt;
-  const std::vector<std::string> names = variants(name, extensions);
-  const bool absolute = fs::path(name).is_absolute();
-  std::vector<fs::path> folders{fs::path()};
-  if (!absolute) folders.insert(folders.end(), session.options.library_paths.begin(), session.options.library_paths.end());
-  for (const std::string& variant : names) {
-    for (const fs::path& folder : folders) {
-      if (is_file(folder / variant)) return (folder / variant).string();
-    }
-  }
-  // Not in the reference: beside the scene, then without regard to case.
-  const fs::path scene_folder = fs::path(session.options.input_file).parent_path();
-  if (!absolute && !scene_folder.empty()) {
-    folders.push_back(scene_folder);
-    for (const std::string& variant : names) {
-      if (is_file(scene_folder / variant)) return (scene_folder / variant).string();
-    }
-  }
-  for (const std::string& variant : names) {
-    for (const fs::path& folder : folders) {
-      if (const auto found = find_ignoring_case(folder, variant)) {
-        session.warn("File '" + name + "' was found as '" + found->string() + "' only because upper and lower case were ignored.",
-                     "file-case");
-        return found->string();
-      }
-    }
-  }
-  return std::nullopt;
-}
 
 SourceFile& Session::add_file(std::string name, std::string text, bool main_file) {
   auto file = std::make_unique<SourceFile>();
@@ -109,7 +36,12 @@ SourceFile* Session::load(const std::string& path) {
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   if (error || !is_file(path)) return nullptr;
-  if (size > options.limits.file_bytes) fail("File '" + path + "' is too large.", "limit-file");
+  if (size > options.limits.file_bytes) {
+    fail("File '" + path + "' is larger than the limit of " + std::to_string(options.limits.file_bytes) + " bytes.",
+         "limit-file");
+  }
+  constexpr std::uint64_t kMemoryPerByte = 5;  // the text, and a token of 16 bytes for every four or so
+  resources.charge(size * kMemoryPerByte);
   std::ifstream in(path, std::ios::binary);
   if (!in) return nullptr;
   std::string text(size, '\0');
@@ -125,7 +57,7 @@ void include_file(Session& session, const std::string& name) {
   SourceFile* const file = path ? session.load(*path) : nullptr;
   if (file == nullptr) {
     session.possible_error("Cannot find file '" + name + "', even after trying to append file type extension.", "missing-file");
-    session.fail("Cannot open include file " + name + ".", "missing-file");
+    session.fail("Cannot open include file " + name + ".", "missing-include");
   }
   session.stream.enter_file(*file);
 }

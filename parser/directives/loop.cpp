@@ -11,13 +11,6 @@ namespace {
 
 using Kind = Conditional::Kind;
 
-void count_turn(Session& session) {
-  if (++session.loop_turns > session.options.limits.loop_turns) {
-    session.fail("Too many loop turns: the limit of " + std::to_string(session.options.limits.loop_turns) + " is reached.",
-                 "limit-loop-turns");
-  }
-}
-
 bool while_condition(Session& session) {
   open_paren(session);
   const TokenStream::AfterOperand no_directives(session.stream, false);
@@ -29,19 +22,29 @@ bool while_condition(Session& session) {
 // The next turn of the #while on top of the stack; the cursor is behind its #end.
 void repeat_while(Session& session) {
   TokenStream& stream = session.stream;
+  if (stream.conditionals.back().last_turn) {
+    stream.pop_conditional();
+    return;
+  }
   const Token* const behind = stream.frames.back().cursor;
   stream.frames.back().cursor = stream.conditionals.back().start;
   ++stream.events;
-  count_turn(session);
+  session.resources.count_turn();
   if (while_condition(session)) return;
   stream.frames.back().cursor = behind;
   stream.pop_conditional();
 }
 
-// The same for #for. `start` is where the body begins.
+}  // namespace
+
+// `start` is where the body begins.
 void repeat_for(Session& session) {
   TokenStream& stream = session.stream;
   const Conditional& loop = stream.conditionals.back();
+  if (loop.last_turn) {
+    stream.pop_conditional();
+    return;
+  }
   SymbolTable::Entry* entry = session.symbols.find_in_newest(loop.variable);
   const Number* value = entry != nullptr ? entry->slot->get_if<Number>() : nullptr;
   if (value == nullptr || !value->is_float()) {
@@ -50,7 +53,7 @@ void repeat_for(Session& session) {
   const double next = value->c[0] + loop.step;
   *entry->slot = Number(next);
   ++stream.events;
-  count_turn(session);
+  session.resources.count_turn();
   if (loop.step > 0 ? next > loop.end + kEpsilon : next < loop.end - kEpsilon) {
     stream.pop_conditional();
     return;
@@ -58,15 +61,17 @@ void repeat_for(Session& session) {
   stream.frames.back().cursor = loop.start;
 }
 
-}  // namespace
-
 void run_while(Session& session) {
   TokenStream& stream = session.stream;
   Conditional loop;
   loop.kind = Kind::kWhile;
   loop.start = stream.frames.back().cursor;
   stream.push_conditional(loop);  // first, so that its condition is compiled
-  if (while_condition(session)) return;
+  const bool enters = while_condition(session);
+  KnownDirective known;
+  known.word = Word::kWhile;
+  remember_directive(session, loop.start, known, loop.start + 1, TokenKind::kRightParen);
+  if (enters) return;
   skip(session, true);
   stream.pop_conditional();
 }
@@ -76,7 +81,7 @@ void run_for(Session& session) {
   Reader& reader = session.reader;
   open_paren(session);
   const Item name = stream.take_raw();
-  if (!name.is(TokenKind::kName) && !name.is(TokenKind::kIdentifier)) session.fail_expected("identifier", name);
+  if (!name.is(TokenKind::kName) && !name.is(TokenKind::kIdentifier)) session.fail_expected("undeclared identifier", name);
   if (stream.peek_raw().is(TokenKind::kLeftSquare)) {
     session.fail("#for loop variable must not be an array element", "loop-variable");
   }

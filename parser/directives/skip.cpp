@@ -1,28 +1,13 @@
 // Skipping of regions that are not executed. The text was tokenised already, so strings and comments are honoured; nested
 // conditionals, loops and macro definitions are counted. Where a region ends is remembered: loops skip the same regions again.
 #include "parser/directives/directive.hpp"
+#include "parser/directives/directive_words.hpp"
 
 namespace lute {
 
 namespace {
 
-bool opens_region(Word word) {
-  switch (word) {
-    case Word::kIf:
-    case Word::kIfdef:
-    case Word::kIfndef:
-    case Word::kWhile:
-    case Word::kFor:
-    case Word::kSwitch:
-    case Word::kMacro: return true;
-    default: return false;
-  }
-}
-
-bool stops(Word word, bool to_end) {
-  if (word == Word::kEnd) return true;
-  return !to_end && (word == Word::kElse || word == Word::kElseif || word == Word::kCase || word == Word::kRange);
-}
+bool stops(Word word, bool to_end) { return word == Word::kEnd || (!to_end && selects_branch(word)); }
 
 }  // namespace
 
@@ -48,7 +33,7 @@ Word skip(Session& session, bool to_end) {
         item.file = frame.file->index;
         item.source = frame.cursor;
         if (token.kind == TokenKind::kError) session.fail_at(frame.file->errors[token.index], "unreadable-text", item);
-        session.fail_at("End of file reached but #end expected.", "missing-end", item);
+        session.fail_missing_end(item);
       }
       stream.frames.pop_back();
       session.symbols.pop_table();

@@ -16,6 +16,7 @@ void debug(Session& session, const std::string& text) {
   session.debug_line += cut(text, 200, 156);
   const std::size_t end = session.debug_line.rfind('\n');
   if (end == std::string::npos) return;
+  if (session.recovery.any()) return session.debug_line.clear();
   if (session.options.on_debug) session.options.on_debug(std::string_view(session.debug_line).substr(0, end + 1));
   session.debug_line.erase(0, end + 1);
 }

@@ -1,6 +1,7 @@
 #include "parser/directives/token_stream.hpp"
 
 #include <cassert>
+#include <utility>
 
 #include "parser/directives/directive.hpp"
 
@@ -17,6 +18,16 @@ TokenStream::Aside::~Aside() {
   for (int i = 0; i < window_size_; ++i) stream_.window_[i] = std::move(window_[i]);
   stream_.window_size_ = window_size_;
   stream_.after_operand_ok_ = after_operand_ok_;
+}
+
+const Item& TokenStream::peek_statement() {
+  if (window_size_ == 0) {
+    between_statements_ = true;
+    fetch(true);
+  } else {
+    session_.recovery.begin_statement(frames.size(), conditionals.size(), window_[0].source);
+  }
+  return window_[0];
 }
 
 Item TokenStream::take() {
@@ -108,7 +119,10 @@ bool TokenStream::at_frame_end() {
 
 void TokenStream::fetch(bool directives_allowed) {
   assert(window_size_ == 0);
+  const bool between_statements = std::exchange(between_statements_, false);
   for (;;) {
+    if (between_statements) session_.recovery.begin_statement(frames.size(), conditionals.size(), frames.back().cursor);
+    session_.resources.count_token();
     if (at_frame_end()) continue;
     TokenFrame& frame = frames.back();
     Item item;
@@ -118,10 +132,10 @@ void TokenStream::fetch(bool directives_allowed) {
     switch (item.token.kind) {
       case TokenKind::kHash:
         if (!directives_allowed) break;
-        run_directive(session_);
+        if (repeating_ == 0 || !run_known_directive(session_)) run_directive(session_);
         continue;
       case TokenKind::kEnd:
-        if (!conditionals.empty()) session_.fail_at("End of file reached but #end expected.", "missing-end", item);
+        if (!conditionals.empty()) session_.fail_missing_end(item);
         window_[0] = std::move(item);
         window_size_ = 1;
         return;
@@ -247,6 +261,20 @@ void TokenStream::leave_macro() {
   conditionals.pop_back();
   session_.symbols.pop_table();
   frames.pop_back();
+}
+
+void TokenStream::unwind(std::size_t frame_count, std::size_t conditional_count) {
+  while (conditionals.size() > conditional_count) {
+    if (conditionals.back().kind == Conditional::Kind::kMacro) --repeating_;
+    pop_conditional();
+  }
+  while (frames.size() > frame_count) {
+    frames.pop_back();
+    session_.symbols.pop_table();
+  }
+  window_size_ = 0;
+  after_operand_ok_ = true;
+  between_statements_ = false;
 }
 
 }  // namespace lute

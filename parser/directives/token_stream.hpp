@@ -29,6 +29,7 @@ struct Conditional {
   const Token* start = nullptr;    // its directive; of a loop where the condition begins
   NameId variable = 0;             // of #for
   double end = 0, step = 1;
+  bool last_turn = false;          // an error was found inside: a loop ends with this turn
 };
 
 class TokenStream {
@@ -43,6 +44,8 @@ class TokenStream {
     if (window_size_ == 0) fetch(true);
     return window_[0];
   }
+  // The same between two statements: where the token or a directive in front of it begins is noted, for reading on behind an error.
+  const Item& peek_statement();
   Item take();
   void put_back(Item item);  // in front of what comes next
   // The token as written that comes next in the innermost frame is of this kind; nothing is executed for it.
@@ -80,6 +83,8 @@ class TokenStream {
   void enter_file(SourceFile& file);
   void enter_macro(MacroPtr macro);
   void leave_macro();
+  // After an error: leaves frames and conditionals until no more than these are left; the window is emptied.
+  void unwind(std::size_t frame_count, std::size_t conditional_count);
 
   // Inside a loop or a macro, where the same tokens may be read again.
   bool repeats() const { return repeating_ > 0; }
@@ -130,6 +135,7 @@ class TokenStream {
   Item window_[2];
   int window_size_ = 0;
   bool after_operand_ok_ = true;
+  bool between_statements_ = false;
   int repeating_ = 0;
   friend class Aside;
 };

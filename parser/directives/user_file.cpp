@@ -14,6 +14,20 @@ namespace lute {
 
 namespace {
 
+// For writing or appending. Behind an error a scene writes nothing more: the file stays closed and takes what is written.
+void open_for_output(Session& session, UserFile& file, const std::string& name, std::ios::openmode mode) {
+  if (session.recovery.any()) return;
+  if (!session.permissions.may_write(name)) {
+    Diagnostic d = session.diagnose(Severity::kError, "io-restriction", "IO restrictions prohibit write access to '" + name + "'.",
+                                    session.stream.last_file, session.stream.last_token);
+    d.hint = "--allow-write FOLDER permits it";
+    session.report_fatal(std::move(d));
+  }
+  file.output.open(name, std::ios::binary | mode);
+  if (file.output) return;
+  session.fail("Cannot open user file " + name + (mode == std::ios::app ? " (append)." : " (write)."), "user-file");
+}
+
 UserFilePtr take_open_file(Session& session) {
   const Item name = session.stream.take_raw();
   const UserFilePtr* file = name.slot ? name.slot->get_if<UserFilePtr>() : nullptr;
@@ -44,16 +58,11 @@ void run_fopen(Session& session) {
   const std::string name = to_bytes(session, parse_string(session, true));
   const Item mode = stream.take_raw();
   auto file = std::make_shared<UserFile>();
+  file->name = name;
   switch (mode.word()) {
     case Word::kRead: open_for_reading(session, *file, name); break;
-    case Word::kWrite:
-      file->output.open(name, std::ios::binary | std::ios::trunc);
-      if (!file->output) session.fail("Cannot open user file " + name + " (write).", "user-file");
-      break;
-    case Word::kAppend:
-      file->output.open(name, std::ios::binary | std::ios::app);
-      if (!file->output) session.fail("Cannot open user file " + name + " (append).", "user-file");
-      break;
+    case Word::kWrite: open_for_output(session, *file, name, std::ios::trunc); break;
+    case Word::kAppend: open_for_output(session, *file, name, std::ios::app); break;
     default: session.fail_expected("read, write, or append", mode);
   }
   session.symbols.add(id.token.index, 0, std::make_shared<Value>(UserFilePtr(std::move(file))));
@@ -63,9 +72,7 @@ void run_fclose(Session& session) {
   const Item id = session.stream.take_raw();
   if (id.slot && id.slot->holds<UserFilePtr>()) {
     session.symbols.remove(id.token.index);
-  } else if (!id.is(TokenKind::kName) && !id.is(TokenKind::kIdentifier)) {
-    session.fail_expected("identifier", id);
-  }
+  }  // anything else is no open file, and no mistake
 }
 
 namespace {
@@ -122,7 +129,7 @@ Slot read_target(Session& session) {
   if (name.is(TokenKind::kName)) {
     return session.symbols.add(name.token.index, 0, std::make_shared<Value>()).slot;
   }
-  if (!name.is(TokenKind::kIdentifier)) session.fail_expected("identifier", name);
+  if (!name.is(TokenKind::kIdentifier)) session.fail_expected("undeclared identifier", name);
   Slot slot = name.slot;
   std::uint8_t subscripts = 0;
   while (slot->holds<ArrayPtr>() && stream.at_written(TokenKind::kLeftSquare)) {
@@ -142,7 +149,7 @@ void run_read(Session& session) {
   open_paren(session);
   const NameId id = stream.peek_raw().token.index;
   const UserFilePtr file = take_open_file(session);
-  if (!file->reading) session.fail("Cannot read from a file that was opened for writing.", "user-file");
+  if (!file->reading) session.fail("Cannot read from file " + file->name + " because the file is open for writing only.", "user-file");
   bool at_end = false;
   for (;;) {
     if (stream.peek_raw().is(TokenKind::kComma)) stream.take_raw();
@@ -214,7 +221,7 @@ void run_write(Session& session) {
   Reader& reader = session.reader;
   open_paren(session);
   const UserFilePtr file = take_open_file(session);
-  if (file->reading) session.fail("Cannot write to a file that was opened for reading.", "user-file");
+  if (file->reading) session.fail("Cannot write to file " + file->name + " because the file is open for reading only.", "user-file");
   for (;;) {
     reader.comma();
     const Item& next = reader.peek();

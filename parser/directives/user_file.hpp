@@ -8,6 +8,7 @@
 namespace lute {
 
 struct UserFile {
+  std::string name;         // as the scene gives it
   SourceFile input;         // of a file that is read: all of its tokens
   const Token* cursor = nullptr;
   std::ofstream output;     // of a file that is written

@@ -28,6 +28,7 @@ void end_recording(Session& session, Level level) {
   code.end = next.source;
   code.level = level;
   if (file.expression_codes.empty()) file.expression_codes.resize(file.tokens.size());
+  code.scalar = scalar_code(code);
   std::uint32_t& entry = file.expression_codes[file.token_index(code.begin)];
   code.next = entry;
   entry = static_cast<std::uint32_t>(state.codes.size());
@@ -51,7 +52,12 @@ bool run_compiled(Session& session, Level level, Number& result) {
   }
   stream.last_file = file.index;
   stream.last_token = code.begin;
-  if (!run(session, code, result)) return false;
+  double value = 0;
+  if (code.scalar && run_scalar(session, *code.scalar, value)) {
+    result = Number(value);
+  } else if (!run(session, code, result)) {
+    return false;
+  }
   frame.cursor = code.end;
   stream.last_token = code.end - 1;
   return true;

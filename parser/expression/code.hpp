@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "parser/directives/known_directive.hpp"
+#include "parser/expression/scalar_code.hpp"
 #include "parser/lexer/token.hpp"
 #include "parser/value/value.hpp"
 
@@ -46,11 +48,13 @@ struct Code {
   const Token* begin = nullptr;
   const Token* end = nullptr;  // the first token behind the expression
   Level level = Level::kAdditive;
+  std::unique_ptr<ScalarCode> scalar;  // null: not all values are floats
   std::uint32_t next = 0;      // another level's code for the same tokens, 0: none
 };
 
 struct ExpressionState {
   std::deque<Code> codes{1};    // codes[0] is unused
+  std::deque<KnownDirective> directives{1};  // the same
   std::vector<Number> stack;    // of the running code
   std::unique_ptr<Code> recording;  // what is being recorded; null while nothing is
   bool nested = false;          // inside an expression: arguments and subscripts belong to it

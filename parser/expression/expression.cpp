@@ -107,7 +107,7 @@ bool parse_vector(Session& session, Number& result) {
     const Number part = promoted(session, parse_nested(session, Level::kAdditive), 1);
     result.c[static_cast<std::size_t>(result.count++)] = part.c[0];
     session.reader.comma();
-  } while (result.count < 2 || (result.count < 5 && !stream.peek().is(TokenKind::kGreater)));
+  } while (result.count < 2 || (result.count < 5 && starts_number(stream.peek())));
   const Item& closing = stream.peek();
   if (!closing.is(TokenKind::kGreater)) session.fail_expected(">", closing);
   stream.take();

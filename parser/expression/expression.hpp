@@ -34,6 +34,7 @@ Number apply_member(Session& session, Number a, Member member);
 // repeats the last, a trailing '?' makes it optional. Empty: no such function.
 std::string_view numeric_signature(Word word);
 Number apply_function(Session& session, Word word, std::span<const Number> arguments);
+double apply_float_function(Session& session, Word word, std::span<const double> arguments);  // of those without a 'V'
 
 // Functions that take names or strings: strlen, defined, trace, ... The keyword was taken. False if `word` is none of them.
 bool parse_special_function(Session& session, Word word, Number& result);

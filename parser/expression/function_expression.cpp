@@ -40,7 +40,7 @@ Session& session_of(FunctionScope& scope) { return scope.session; }
 
 struct FunctionOperators {
   using Value = NodeValue;
-  static constexpr const char* kOperand = "sign or operand";
+  static constexpr const char* kOperand = "operand";
   static int level(TokenKind kind) {
     switch (kind) {
       case TokenKind::kOr: return 1;
@@ -95,7 +95,7 @@ struct FunctionOperand : x3::parser<FunctionOperand> {
 struct FunctionExpressionTag;
 struct FunctionFactorTag;
 const x3::rule<FunctionExpressionTag, NodeValue> function_expression = "function expression";
-const x3::rule<FunctionFactorTag, NodeValue> function_factor = "sign or operand";
+const x3::rule<FunctionFactorTag, NodeValue> function_factor = "operand";
 
 struct FunctionSign : x3::parser<FunctionSign> {
   using attribute_type = NodeValue;
@@ -108,7 +108,7 @@ struct FunctionSign : x3::parser<FunctionSign> {
     const Nesting nesting(scope.session);
     ++first;
     if (!function_factor.parse(first, last, context, rcontext, attribute)) {
-      scope.session.fail_expected("sign or operand", *first);
+      scope.session.fail_expected("operand", *first);
     }
     if (sign == TokenKind::kMinus) attribute.node = scope.builder.unary(UnaryOp::kNegate, attribute.node);
     return true;
@@ -125,7 +125,8 @@ Node parse_expression(FunctionScope& scope) {
   const TokenCursor<FunctionScope> last;
   NodeValue result;
   if (!x3::parse(first, last, function_expression, result)) {
-    scope.session.fail_expected("sign or operand", scope.session.stream.peek());
+    const Item& next = scope.session.stream.peek();
+    scope.session.fail_expected(next.is(TokenKind::kExclamation) ? "sign or operand" : "operand", next);
   }
   return result.node;
 }
@@ -244,7 +245,7 @@ Node parse_component(FunctionScope& scope, const FunctionPtr& function, std::spa
   const auto component = [&](unsigned k) { return e.call(function, arguments, k); };
   const auto scaled = [&](double weight, unsigned k) { return e.binary(BinaryOp::kMultiply, e.constant(weight), component(k)); };
   const std::optional<Member> member = member_of(item.word());
-  if (!member && name != "grey" && name != "hf") session.fail_expected("x, y, z or color component", item);
+  if (!member && name != "grey" && name != "hf") session.fail_at("Invalid member access: Valid member names are x, y, z, t, u, v, red, green, blue, grey, filter and transmit.", "member", item);
   session.stream.take();
   if (name == "hf") {
     return e.binary(BinaryOp::kMultiply, e.constant(0.996093),
@@ -414,7 +415,7 @@ TextureFunctions& texture_functions(Session& session) {
 template <class T>
 T statement_value(Session& session, Word word) {
   const auto found = session.declare_values.find(word);
-  if (found == session.declare_values.end()) session.fail_expected("sign or operand", session.stream.peek());
+  if (found == session.declare_values.end()) session.fail_expected("operand", session.stream.peek());
   const Value value = found->second(session.reader);
   const T* const result = value.get_if<T>();
   if (result == nullptr) session.fail("This cannot be used as a function.", "function-body");

@@ -9,7 +9,11 @@ namespace lute {
 class Nesting {
  public:
   explicit Nesting(Session& session) : depth_(session.expressions.depth) {
-    if (++depth_ > session.options.limits.nesting) session.fail("The expression is nested too deeply.", "nesting");
+    if (depth_ >= session.options.limits.nesting) {
+      session.fail("The expression is nested too deeply: the limit is " + std::to_string(session.options.limits.nesting) + ".",
+                   "limit-nesting");
+    }
+    ++depth_;
   }
   ~Nesting() { --depth_; }
   Nesting(const Nesting&) = delete;

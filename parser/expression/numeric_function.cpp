@@ -28,9 +28,7 @@ std::string_view numeric_signature(Word word) {
 namespace {
 
 using Arguments = std::span<const Number>;
-
-double first(Arguments a) { return a[0].c[0]; }
-double second(Arguments a) { return a[1].c[0]; }
+using Floats = std::span<const double>;
 
 // A number outside [-1, 1] is clamped with a warning.
 double clamped(Session& session, double value, const char* name) {
@@ -58,51 +56,51 @@ double rand(Session& session, double stream) {
   return state / 4294967295.0;
 }
 
-double choose(Arguments a) {
-  if (a.size() == 3) return first(a) < 0 ? second(a) : a[2].c[0];
-  if (first(a) < 0) return second(a);
-  return first(a) == 0 ? a[2].c[0] : a[3].c[0];
+double choose(Floats a) {
+  if (a.size() == 3) return a[0] < 0 ? a[1] : a[2];
+  if (a[0] < 0) return a[1];
+  return a[0] == 0 ? a[2] : a[3];
 }
 
-double float_function_of_several(Session& session, Word word, Arguments a) {
+double float_function_of_several(Session& session, Word word, Floats a) {
   switch (word) {
     case Word::kAtan2:
-      if (std::fabs(first(a)) <= kEpsilon && std::fabs(second(a)) <= kEpsilon) session.fail("Domain error in atan2!", "domain");
-      return std::atan2(first(a), second(a));
+      if (std::fabs(a[0]) <= kEpsilon && std::fabs(a[1]) <= kEpsilon) session.fail("Domain error in atan2!", "domain");
+      return std::atan2(a[0], a[1]);
     case Word::kPow:
-      if (first(a) == 0 && second(a) == 0) session.fail("Domain error.", "domain");
-      return std::pow(first(a), second(a));
-    case Word::kMod: return std::fmod(first(a), second(a));
-    case Word::kDiv: return to_int32(first(a) / second(a));
+      if (a[0] == 0 && a[1] == 0) session.fail("Domain error.", "domain");
+      return std::pow(a[0], a[1]);
+    case Word::kMod: return std::fmod(a[0], a[1]);
+    case Word::kDiv: return to_int32(a[0] / a[1]);
     case Word::kMax: {
-      double result = first(a);
-      for (const Number& n : a) result = std::max(result, n.c[0]);
+      double result = a[0];
+      for (const double value : a) result = std::max(result, value);
       return result;
     }
     case Word::kMin: {
-      double result = first(a);
-      for (const Number& n : a) result = std::min(result, n.c[0]);
+      double result = a[0];
+      for (const double value : a) result = std::min(result, value);
       return result;
     }
     case Word::kBitwiseAnd:
     case Word::kBitwiseOr:
     case Word::kBitwiseXor: {
-      std::int32_t result = to_int32(first(a));
-      for (const Number& n : a.subspan(1)) {
-        const std::int32_t bits = to_int32(n.c[0]);
+      std::int32_t result = to_int32(a[0]);
+      for (const double value : a.subspan(1)) {
+        const std::int32_t bits = to_int32(value);
         result = word == Word::kBitwiseAnd ? result & bits : word == Word::kBitwiseOr ? result | bits : result ^ bits;
       }
       return result;
     }
     case Word::kSelect: return choose(a);
-    case Word::kVlength: return glm::length(a[0].vector());
-    case Word::kVdot: return glm::dot(a[0].vector(), a[1].vector());
     default: return 0;
   }
 }
 
-double float_function(Session& session, Word word, Arguments a) {
-  const double v = first(a);
+}  // namespace
+
+double apply_float_function(Session& session, Word word, Floats a) {
+  const double v = a[0];
   switch (word) {
     case Word::kAbs: return std::fabs(v);
     case Word::kCeil: return std::ceil(v);
@@ -138,6 +136,8 @@ double float_function(Session& session, Word word, Arguments a) {
   }
 }
 
+namespace {
+
 dvec3 rotated(dvec3 v, const dvec3& degrees) {
   const dvec3 c(std::cos(radians(degrees.x)), std::cos(radians(degrees.y)), std::cos(radians(degrees.z)));
   const dvec3 s(std::sin(radians(degrees.x)), std::sin(radians(degrees.y)), std::sin(radians(degrees.z)));
@@ -163,12 +163,13 @@ dvec3 normalized(Session& session, const dvec3& v) {
 
 dvec3 turbulence(Arguments a) {
   const int octaves = std::clamp(to_int32(a[2].c[0]), 1, 10);
+  const double lambda = a[0].c[0], omega = a[1].c[0];
   const dvec3 point = a[3].vector();
   dvec3 result = vector_noise(point);
   double scale = 1, weight = 1;
   for (int i = 2; i <= octaves; ++i) {
-    scale *= first(a);
-    weight *= second(a);
+    scale *= lambda;
+    weight *= omega;
     result += weight * vector_noise(point * scale);
   }
   return result;
@@ -176,26 +177,31 @@ dvec3 turbulence(Arguments a) {
 
 }  // namespace
 
+// Arguments are checked and promoted here, so that compiled code and the parser agree.
 Number apply_function(Session& session, Word word, Arguments arguments) {
-  // Arguments are checked and promoted here, so that compiled code and the parser agree.
-  std::array<Number, 4> promoted_arguments;
   const std::string_view signature = numeric_signature(word);
-  const bool repeated = signature.size() > 1 && signature[1] == '+';
-  if (repeated) {
-    for (const Number& n : arguments) promoted(session, n, 1);
-  } else {
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-      promoted_arguments[i] = promoted(session, arguments[i], signature[i] == 'V' ? 3 : 1);
-    }
-    arguments = Arguments(promoted_arguments).first(arguments.size());
+  if (signature.find('V') == std::string_view::npos) {
+    std::array<double, 4> few{};
+    std::vector<double> many;
+    if (arguments.size() > few.size()) many.resize(arguments.size());
+    double* const floats = many.empty() ? few.data() : many.data();
+    for (std::size_t i = 0; i < arguments.size(); ++i) floats[i] = promoted(session, arguments[i], 1).c[0];
+    return Number(apply_float_function(session, word, {floats, arguments.size()}));
   }
+  std::array<Number, 4> promoted_arguments;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    promoted_arguments[i] = promoted(session, arguments[i], signature[i] == 'V' ? 3 : 1);
+  }
+  arguments = Arguments(promoted_arguments).first(arguments.size());
   switch (word) {
+    case Word::kVlength: return Number(glm::length(arguments[0].vector()));
+    case Word::kVdot: return Number(glm::dot(arguments[0].vector(), arguments[1].vector()));
     case Word::kVcross: return Number(glm::cross(arguments[0].vector(), arguments[1].vector()));
     case Word::kVnormalize: return Number(normalized(session, arguments[0].vector()));
     case Word::kVrotate: return Number(rotated(arguments[0].vector(), arguments[1].vector()));
     case Word::kVaxisRotate: return Number(axis_rotated(arguments[0].vector(), arguments[1].vector(), arguments[2].c[0]));
     case Word::kVturbulence: return Number(turbulence(arguments));
-    default: return Number(float_function(session, word, arguments));
+    default: return Number();
   }
 }
 

@@ -227,7 +227,7 @@ bool parse_string_comparison(Session& session, Number& result) {
     case TokenKind::kNotEqual: return value(std::not_equal_to<>{});
     case TokenKind::kGreaterEqual: return value(std::greater_equal<>{});
     case TokenKind::kGreater: return value(std::greater<>{});
-    default: session.fail_expected("comparison operator", stream.peek());
+    default: session.fail_expected("string comparison operator", stream.peek());
   }
 }
 

@@ -80,6 +80,7 @@ std::u16string parse_concat(Session& session, bool file_name) {
   while (starts_string(session.stream.peek())) {
     text += string_argument(session, file_name);
     if (text.size() > kMostUnits) session.fail("The string is too long.", "limit-memory");
+    session.resources.charge(text.size() * sizeof(char16_t));
   }
   return text;
 }

@@ -22,6 +22,7 @@ constexpr std::size_t kMaximumLength = 255;  // of names and string literals
 struct LexFailure {
   const char* where;
   std::string message;
+  const char* resume;  // where text that can be read begins again
 };
 
 struct LexState {
@@ -130,7 +131,11 @@ struct Real : x3::parser<Real> {
       ++p;
       if (p != last && (*p == '+' || *p == '-')) ++p;
     }
-    if (p != last && *p == '.') throw LexFailure{p, "Unexpected additional '.' in floating-point number"};
+    if (p != last && *p == '.') {
+      const char* const where = p;
+      while (p != last && (*p == '.' || digit(*p))) ++p;
+      throw LexFailure{where, "Unexpected additional '.' in floating-point number", p};
+    }
     first = p;
     x3::traits::move_to(value, attribute);
     return true;
@@ -146,7 +151,7 @@ struct BlockComment : x3::parser<BlockComment> {
     if (last - first < 2 || first[0] != '/' || first[1] != '*') return false;
     It p = first + 2;
     for (std::size_t depth = 1; depth > 0;) {
-      if (last - p < 2) throw LexFailure{first, "No */ closing comment found."};
+      if (last - p < 2) throw LexFailure{first, "No */ closing comment found.", last};
       if (p[0] == '*' && p[1] == '/') {
         --depth;
         p += 2;
@@ -196,7 +201,7 @@ LexState& state_of(Context const& context) { return x3::get<LexTag>(context).get
 
 void push_name(LexState& state, const char* end) {
   const auto length = static_cast<std::size_t>(end - state.token_begin);
-  if (length > kMaximumLength) throw LexFailure{state.token_begin, "String too long."};
+  if (length > kMaximumLength) throw LexFailure{state.token_begin, "String too long.", end};
   const NameId id = state.names.intern({state.token_begin, length});
   if (Names::is_word(id)) {
     state.push(TokenKind::kWord).word = canonical(static_cast<Word>(id));
@@ -206,7 +211,10 @@ void push_name(LexState& state, const char* end) {
 }
 
 void push_string(LexState& state, const char* first, const char* last) {
-  if (last - first > static_cast<std::ptrdiff_t>(kMaximumLength)) throw LexFailure{state.token_begin, "String too long."};
+  if (last - first > static_cast<std::ptrdiff_t>(kMaximumLength)) {
+    const bool closed = last != state.file.text.data() + state.file.text.size();
+    throw LexFailure{state.token_begin, "String too long.", closed ? last + 1 : last};
+  }
   std::string text;
   for (const char* p = first; p != last; ++p) {
     if (*p == '\\' && p[1] == '"') ++p;  // the only escape that is resolved here
@@ -218,18 +226,20 @@ void push_string(LexState& state, const char* first, const char* last) {
   state.file.strings.push_back(std::move(text));
 }
 
-[[noreturn]] void fail_illegal(const char* where) {
+[[noreturn]] void fail_illegal(const char* where, const char* end) {
   char text[64];
   std::snprintf(text, sizeof text, "Illegal character in input file, value is %02x.", static_cast<unsigned char>(*where));
-  throw LexFailure{where, text};
+  const char* resume = where;
+  while (resume != end && class_of(*resume) == kIllegal) ++resume;  // the bytes of one letter are one error
+  throw LexFailure{where, text, resume};
 }
 
 struct Illegal : x3::parser<Illegal> {
   using attribute_type = x3::unused_type;
   static bool const has_attribute = false;
   template <class It, class C, class R, class A>
-  bool parse(It& first, It const&, C const&, R&, A&) const {
-    fail_illegal(first);
+  bool parse(It& first, It const& last, C const&, R&, A&) const {
+    fail_illegal(first, last);
   }
 };
 
@@ -246,8 +256,13 @@ auto make_tokens() {
     if (token.kind == TokenKind::kOther) token.index = static_cast<unsigned char>(c);
   };
   const auto kind_action = [](TokenKind kind) { return [kind](auto& context) { state_of(context).push(kind); }; };
-  const auto unclosed = [](auto& context) { throw LexFailure{state_of(context).token_begin, "No end quote for string."}; };
-  const auto broken = [](auto& context) { throw LexFailure{state_of(context).token_begin, "Unterminated string literal."}; };
+  const auto unclosed = [](auto& context) {
+    const LexState& state = state_of(context);
+    throw LexFailure{state.token_begin, "No end quote for string.", state.begin + state.file.text.size()};
+  };
+  const auto broken = [](auto& context) {
+    throw LexFailure{state_of(context).token_begin, "Unterminated string literal.", &*x3::_where(context).begin()};
+  };
 
   const auto blanks = x3::omit[Run<kBlank, kBlank>{}];
   const auto name = x3::raw[Run<kLetter, kDigit>{}][name_action];
@@ -279,13 +294,16 @@ void lex(SourceFile& file, Names& names, bool main_file) {
   LexState state{file, names, begin};
   static const auto tokens = make_tokens();
   const auto grammar = x3::with<LexTag>(std::ref(state))[tokens];
-  try {
-    x3::parse(p, end, grammar);
-    if (p != end) fail_illegal(p);
-  } catch (const LexFailure& failure) {
-    state.token_begin = failure.where;
-    state.push(TokenKind::kError).index = static_cast<std::uint32_t>(file.errors.size());
-    file.errors.push_back(failure.message);
+  while (p != end) {
+    try {
+      x3::parse(p, end, grammar);
+      if (p != end) fail_illegal(p, end);
+    } catch (const LexFailure& failure) {
+      state.token_begin = failure.where;
+      state.push(TokenKind::kError).index = static_cast<std::uint32_t>(file.errors.size());
+      file.errors.push_back(failure.message);
+      p = std::max(failure.resume, p);
+    }
   }
   state.token_begin = end;
   state.push(TokenKind::kEnd);

@@ -39,12 +39,14 @@ struct SourceFile {
 
   std::vector<Token> tokens;         // ends with kEnd
   std::vector<std::string> strings;  // of kString tokens
-  std::vector<std::string> errors;   // of the kError token, if there is one
+  std::vector<std::string> errors;   // of kError tokens
 
   // Where skipped regions end, by the index of their first token (parser/directives).
   std::unordered_map<std::uint32_t, std::uint32_t> skip_targets;
-  // Compiled expressions by the index of their first token, 0: none (parser/expression). Empty until one is compiled.
+  // Compiled expressions by the index of their first token, known directives by that of their `#`, of #while of its `(`; 0: none
+  // (parser/expression, parser/directives). Empty until one is compiled.
   std::vector<std::uint32_t> expression_codes;
+  std::uint32_t code_at(const Token* token) const { return expression_codes.empty() ? 0 : expression_codes[token_index(token)]; }
 
   SourceLocation locate(std::uint32_t offset) const;  // line and column, from 1
   std::string_view line(std::uint32_t number) const;  // without its line end

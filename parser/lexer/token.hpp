@@ -11,7 +11,7 @@ namespace lute {
 
 enum class TokenKind : std::uint8_t {
   kEnd,         // end of file; its offset is the file's size
-  kError,       // what the lexer could not read: `index` is an entry of SourceFile::errors; nothing follows but kEnd
+  kError,       // what the lexer could not read: `index` is an entry of SourceFile::errors
   kNumber,      // `number`
   kString,      // `index`: entry of SourceFile::strings, `\"` resolved, other escapes untouched
   kName,        // `index`: NameId of an identifier

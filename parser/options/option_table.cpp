@@ -17,6 +17,9 @@ using Tail = SwitchTail;
 // Accepted and without effect, as in POV-Ray itself or because it concerns a preview window, which lute does not have.
 void no_effect(O&, const V&) {}
 
+// Of limits: at least 1, at most what a MB count leaves room for.
+std::uint64_t count(const V& v) { return static_cast<std::uint64_t>(std::clamp(v.number, 1.0, 1e13)); }
+
 void set_all_consoles(O& o, const V& v) {
   o.debug_console = o.warning_console = o.render_console = o.statistic_console = o.fatal_console = v.on;
 }
@@ -89,6 +92,17 @@ const OptionRow kOptions[] = {
     {"", "", "dump-scene",  Kind::kNone, Tail::kNothing, set_action<Action::kDumpScene>,  "print the scene as JSON, as it was read"},
     {"", "", "stats",       Kind::kNone, Tail::kNothing, [](O& o, const V&) { o.statistics = true; }, "print rays by kind and time by stage"},
     {"", "", "diagnostics", Kind::kText, Tail::kNothing, set_diagnostics, "text, or json for programs"},
+    {"", "", "max-errors",  Kind::kInteger, Tail::kNothing, [](O& o, const V& v) { o.limits.errors = static_cast<std::size_t>(std::max(v.integer, 1)); }, "stop reading a scene at this many errors (20)"},
+
+    // What a scene may do.
+    {"", "", "allow-read",  Kind::kText, Tail::kNothing, [](O& o, const V& v) { o.allow_read.push_back(v.text); }, "a folder that the scene may read from, with all below it; may be given often"},
+    {"", "", "allow-write", Kind::kText, Tail::kNothing, [](O& o, const V& v) { o.allow_write.push_back(v.text); }, "a folder that the scene may write to"},
+    {"", "", "max-loop-turns", Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.limits.loop_turns = count(v); }, "of all loops together (1e9)"},
+    {"", "", "max-tokens",  Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.limits.tokens = count(v); }, "read from the scene, loops and macros included (4e9)"},
+    {"", "", "max-memory",  Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.limits.memory_bytes = count(v) << 20; }, "in MB, while the scene is read (3/4 of the machine's)"},
+    {"", "", "max-file-size", Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.limits.file_bytes = std::min(count(v) << 20, o.limits.file_bytes); }, "of each file that is read, in MB (4096)"},
+    {"", "", "max-nesting", Kind::kInteger, Tail::kNothing, [](O& o, const V& v) { o.limits.nesting = static_cast<std::size_t>(std::clamp(v.integer, 1, 2000)); }, "parentheses and calls in each other, up to 2000 (200)"},
+    {"", "", "max-blocks",  Kind::kInteger, Tail::kNothing, [](O& o, const V& v) { o.limits.blocks = static_cast<std::size_t>(std::clamp(v.integer, 1, 1000)); }, "braces in each other, up to 1000 (1000)"},
 
     // The scene.
     {"Input_File_Name", "I", "input", Kind::kText, Tail::kText, [](O& o, const V& v) { o.input_file = v.text; }, "the scene; - for standard input"},

@@ -11,6 +11,7 @@
 #include "engine/output/output_settings.hpp"
 #include "engine/render/antialias.hpp"
 #include "engine/render/block_grid.hpp"
+#include "parser/parse_limits.hpp"
 
 namespace lute {
 
@@ -62,6 +63,9 @@ struct RenderOptions {
   int warning_level = 9;
   bool debug_console = true, warning_console = true, render_console = true, statistic_console = true,
        fatal_console = true;
+
+  ParseLimits limits;  // what a scene may use up while it is read
+  std::vector<std::string> allow_read, allow_write;  // folders, beside the scene's, the library paths and the picture's
 
   std::vector<std::string> notices;  // about options that were accepted without effect
 };

@@ -63,17 +63,19 @@ bool accept_fog_item(Reader& reader, Fog& fog) {
 
 double parse_half_circle_angle(Reader& reader, const char* name) {
   const double angle = reader.number();
-  if (angle < 0 || angle > 360) reader.error(std::string(name) + " angle must be in the range 0 to 360 degrees in rainbow.");
+  if (angle < 0 || angle > 360) {
+    reader.error("Illegal " + std::string(name) + " angle in rainbow (Use value from 0 to 360 degrees).");
+  }
   return angle;
 }
 
 void check_rainbow(Reader& reader, const Rainbow& rainbow) {
   if (rainbow.arc_angle && rainbow.falloff_angle && *rainbow.arc_angle < *rainbow.falloff_angle)
     reader.error("Arc angle is smaller than falloff angle in rainbow.");
-  if (glm::length(rainbow.direction) < kEpsilon) reader.error("Direction vector in rainbow is zero.");
-  if (glm::length(rainbow.up) < kEpsilon) reader.error("Up vector in rainbow is zero.");
+  if (glm::length(rainbow.direction) < kEpsilon) reader.error("Rainbow's direction vector is zero.");
+  if (glm::length(rainbow.up) < kEpsilon) reader.error("Rainbow's up vector is zero.");
   const double cosine = std::abs(glm::dot(glm::normalize(rainbow.up), glm::normalize(rainbow.direction)));
-  if (std::abs(1 - cosine) < kEpsilon) reader.error("Up and direction vectors in rainbow are co-linear.");
+  if (std::abs(1 - cosine) < kEpsilon) reader.error("Rainbow's up and direction vector are co-linear.");
 }
 
 bool accept_rainbow_item(Reader& reader, Rainbow& rainbow) {
@@ -84,8 +86,8 @@ bool accept_rainbow_item(Reader& reader, Rainbow& rainbow) {
   else if (reader.accept(Word::kDirection)) rainbow.direction = reader.vector();
   else if (reader.accept(Word::kUp)) rainbow.up = reader.vector();
   else if (reader.accept(Word::kColorMap)) rainbow.colors = *parse_color_map(reader);
-  else if (reader.accept(Word::kArcAngle)) rainbow.arc_angle = parse_half_circle_angle(reader, "Arc");
-  else if (reader.accept(Word::kFalloffAngle)) rainbow.falloff_angle = parse_half_circle_angle(reader, "Falloff");
+  else if (reader.accept(Word::kArcAngle)) rainbow.arc_angle = parse_half_circle_angle(reader, "arc");
+  else if (reader.accept(Word::kFalloffAngle)) rainbow.falloff_angle = parse_half_circle_angle(reader, "falloff");
   else return false;
   return true;
 }

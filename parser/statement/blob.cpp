@@ -80,7 +80,7 @@ Blob parse_blob(Reader& reader) {
     else break;
     if (blob.components.size() >= kMaxComponents) reader.error("There are too many components in a blob.");
   }
-  if (blob.components.empty()) reader.error("Missing components in blob.");
+  if (blob.components.empty()) reader.error("Need at least one component in a blob.");
   return blob;
 }
 

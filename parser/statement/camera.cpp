@@ -117,16 +117,16 @@ void parse_mesh_camera(Reader& reader) {
   const int distribution = reader.integer();
   reader.comma();
   reader.optional_number();
-  if (rays < 1) reader.error("Illegal number of rays per pixel.");
-  if (distribution < 0 || distribution > 3) reader.error("Illegal distribution type.");
-  if (distribution >= 2 && rays != 1) reader.error("Only 1 ray per pixel is allowed with this distribution.");
+  if (rays < 1) reader.error("Rays per pixel may not be 0");
+  if (distribution < 0 || distribution > 3) reader.error("Unrecognized distribution method");
+  if (distribution >= 2 && rays != 1) reader.error("Rays per pixel must be 1 for distribution method #2 or #3");
   int meshes = 0;
   while (reader.at(Word::kMesh) || reader.at(Word::kMesh2)) {
     accept_object(reader);
     reader.comma();
     ++meshes;
   }
-  if (meshes == 0) reader.error_expected("mesh object");
+  if (meshes == 0) reader.error_expected("mesh or mesh2");
   if (distribution == 3) reader.accept(Word::kSmooth);
   reader.close(Word::kMeshCamera);
   warn_not_rendered(reader, "mesh_camera");
@@ -178,7 +178,7 @@ void parse_blur_samples(Reader& reader, Camera& camera) {
   camera.blur_samples_min = second ? first : 0;
   camera.blur_samples_max = second ? static_cast<int>(*second) : first;
   if (first <= 0 || camera.blur_samples_max <= 0) reader.error("Illegal number of focal blur samples.");
-  if (camera.blur_samples_min > camera.blur_samples_max) reader.error("Minimum number of focal blur samples is greater than the maximum.");
+  if (camera.blur_samples_min > camera.blur_samples_max) reader.error("Focal blur samples minimum must not be larger than maximum.");
 }
 
 void parse_bokeh(Reader& reader, Camera& camera) {

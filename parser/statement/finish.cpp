@@ -37,7 +37,7 @@ void parse_reflection_block(Reader& reader, Finish& finish) {
   while (true) {
     if (reader.accept(Word::kFresnel)) {
       const double value = std::trunc(reader.optional_number().value_or(1));
-      if (value != 0 && value != 1) reader.error("fresnel must be true or false.");
+      if (value != 0 && value != 1) reader.error("fresnel must be true or false");
       finish.reflection_fresnel = value == 1;
       if (!range && finish.reflection_fresnel) finish.reflection_min = Rgb(0.0f);
     } else if (reader.accept(Word::kFalloff)) {

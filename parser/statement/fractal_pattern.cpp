@@ -45,7 +45,7 @@ void parse_arguments(Reader& reader, Julia& pattern, ParsedPattern&) { parse_jul
 
 void parse_arguments(Reader& reader, Magnet& pattern, ParsedPattern&) {
   pattern.type = reader.integer();
-  if (pattern.type != 1 && pattern.type != 2) reader.error("The only valid types of magnet fractals are 1 and 2.");
+  if (pattern.type != 1 && pattern.type != 2) reader.error("Invalid magnet-mandel pattern type found. Valid types are 1 and 2.");
   if (reader.accept(Word::kMandel)) {
     pattern.iterations = reader.integer();
   } else if (reader.accept(Word::kJulia)) {
@@ -53,7 +53,7 @@ void parse_arguments(Reader& reader, Magnet& pattern, ParsedPattern&) {
     parse_julia(reader, constant, pattern.iterations);
     pattern.julia = constant;
   } else {
-    reader.error_expected("mandel or julia");
+    reader.error("Invalid magnet pattern found. Valid types are 'mandel' and 'julia'.");
   }
 }
 

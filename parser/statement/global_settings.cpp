@@ -34,7 +34,7 @@ void parse_charset(Reader& reader) {
 
 void parse_noise_generator(Reader& reader) {
   const int generator = reader.integer();
-  if (generator < 1 || generator > 3) reader.error("Value for noise_generator must be 1, 2, or 3.");
+  if (generator < 1 || generator > 3) reader.error("Value for noise_generator in global_settings must be 1, 2, or 3.");
   reader.scene().settings.noise_generator = generator;
   reader.session().noise_generator_given = true;
 }

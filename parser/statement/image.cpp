@@ -148,7 +148,7 @@ bool accept_mapping_item(Reader& reader, ImageMapping& mapping, bool checked) {
     if (checked && type != 0 && type != 1 && type != 2 && type != 5) reader.error("Invalid map_type value.");
   } else if (reader.accept(Word::kRepeat)) {
     mapping.repeat = reader.vector2();
-    if (mapping.repeat.x <= 0 || mapping.repeat.y <= 0) reader.error("Repeat must be positive.");
+    if (mapping.repeat.x <= 0 || mapping.repeat.y <= 0) reader.error("Zero or Negative Image Repeat Vector.");
   } else if (reader.accept(Word::kOffset)) {
     mapping.offset = reader.vector2();
   } else {

@@ -19,7 +19,7 @@ bool accept_interior_item(Reader& reader, Interior& interior) {
     interior.dispersion = real(reader);
   } else if (reader.accept(Word::kDispersionSamples)) {
     interior.dispersion_samples = reader.integer();
-    if (interior.dispersion_samples < 2) reader.error("Dispersion samples must be at least 2.");
+    if (interior.dispersion_samples < 2) reader.error("Dispersion samples minimum is 2.");
   } else if (reader.accept(Word::kCaustics)) {
     interior.caustics = real(reader) * kCausticsScale;
   } else if (reader.accept(Word::kFadeDistance)) {

@@ -110,7 +110,7 @@ void settle_area(Reader& reader, AreaItems& area, LightSource& light) {
     area.light.circular = true;
   }
   if (area.light.circular && (area.light.size1 <= 1 || area.light.size2 <= 1))
-    reader.error("Circular area light must have more than 1 point per axis.");
+    reader.error("Circular area light must have more than 1 point per axis");
   light.area = area.light;
 }
 
@@ -134,7 +134,7 @@ void parse_looks_like(Reader& reader, LightSource& light) {
 }
 
 void parse_projected_through(Reader& reader, LightSource& light) {
-  if (light.projected_through != nullptr) reader.error("Only one projected_through allowed per light_source.");
+  if (light.projected_through != nullptr) reader.error("Only one projected through allowed per light_source.");
   Object object = parse_attached_object(reader, Word::kProjectedThrough, Transform());
   if (object.texture.texture != nullptr || object.interior != nullptr)
     reader.warning("Projected through objects can not have interiors or textures.");

@@ -23,8 +23,8 @@ void parse_samples(Reader& reader, Media& media) {
   reader.comma();
   const auto most = reader.optional_number();
   media.samples_max = most ? static_cast<int>(*most) : media.samples_min;
-  if (media.samples_min < 1) reader.error("Min samples in media must be at least 1.");
-  if (media.samples_max < media.samples_min) reader.error("Max samples in media must be at least min samples.");
+  if (media.samples_min < 1) reader.error("At least one sample per interval is needed in media.");
+  if (media.samples_max < media.samples_min) reader.error("Maximum number of samples per interval smaller than minimum number.");
 }
 
 void parse_scattering(Reader& reader, Media& media) {
@@ -49,25 +49,25 @@ void parse_scattering(Reader& reader, Media& media) {
 bool accept_sampling_item(Reader& reader, Media& media) {
   if (reader.accept(Word::kMethod)) {
     media.method = reader.integer();
-    if (media.method < 1 || media.method > 3) reader.error("Media method must be 1, 2 or 3.");
+    if (media.method < 1 || media.method > 3) reader.error("Sample method choices are 1, 2, or 3.");
   } else if (reader.accept(Word::kIntervals)) {
     media.intervals = reader.integer();
-    if (media.intervals < 1) reader.error("Media intervals must be at least 1.");
+    if (media.intervals < 1) reader.error("At least one interval is needed in media.");
   } else if (reader.accept(Word::kSamples)) {
     parse_samples(reader, media);
   } else if (reader.accept(Word::kConfidence)) {
     media.confidence = reader.number();
-    if (media.confidence < 0 || media.confidence >= 1) reader.error("Media confidence must be at least 0 and less than 1.");
+    if (media.confidence < 0 || media.confidence >= 1) reader.error("Illegal confidence value in media.");
   } else if (reader.accept(Word::kVariance)) {
     media.variance = reader.number();
   } else if (reader.accept(Word::kRatio)) {
     media.ratio = reader.number();
   } else if (reader.accept(Word::kAaLevel)) {
     media.aa_level = reader.integer();
-    if (media.aa_level < 1) reader.error("Media aa_level must be at least 1.");
+    if (media.aa_level < 1) reader.error("aa_level in media must be at least one.");
   } else if (reader.accept(Word::kAaThreshold)) {
     media.aa_threshold = reader.number();
-    if (media.aa_threshold <= 0) reader.error("Media aa_threshold must be greater than 0.");
+    if (media.aa_threshold <= 0) reader.error("aa_threshold in media must be greater than zero.");
   } else if (reader.accept(Word::kJitter)) {
     media.jitter = reader.number();
   } else {

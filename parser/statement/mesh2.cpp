@@ -161,7 +161,7 @@ void settle_uv(Reader& reader, MeshData& data, const std::optional<std::vector<I
   } else if (data.uvs.size() == 1) {
     data.uv_indices.assign(data.faces.size(), Indices{0, 0, 0});
   } else if (!data.uvs.empty()) {
-    reader.error("Missing uv indicies in mesh2.");
+    reader.error("Missing uv_indicies section in mesh2.");
   }
 }
 
@@ -175,7 +175,7 @@ void settle_normals(Reader& reader, MeshData& data, const std::optional<std::vec
   } else if (data.normals.size() == data.vertices.size()) {
     data.normal_indices = data.faces;
   } else {
-    reader.error("Missing normal indicies in mesh2.");
+    reader.error("Missing normal_indicies section in mesh2.");
   }
   for (Indices& i : data.normal_indices)
     if (i[0] != kNone && normals_are_equal(data.normals[i[0]], data.normals[i[1]], data.normals[i[2]]))

@@ -78,7 +78,7 @@ void parse_clipped_by(Reader& reader, Modifiers& m) {
     m.object.clipped_by = m.object.bounded_by;
     m.clips_linked = true;
   } else {
-    if (m.clips_linked) reader.error("Cannot add clips after linking them with the bounds.");
+    if (m.clips_linked) reader.error("Cannot add clips after linking bounds and clips.");
     append(m.object.clipped_by, parse_limits(reader));
   }
   reader.close(Word::kClippedBy);
@@ -91,7 +91,7 @@ void parse_bounded_by(Reader& reader, Modifiers& m) {
     m.object.bounded_by = m.object.clipped_by;
     m.bounds_linked = true;
   } else {
-    if (m.bounds_linked) reader.error("Cannot add bounds after linking them with the clips.");
+    if (m.bounds_linked) reader.error("Cannot add bounds after linking bounds and clips.");
     append(m.object.bounded_by, parse_limits(reader));
   }
   reader.close(Word::kBoundedBy);
@@ -113,7 +113,7 @@ void parse_radiosity(Reader& reader, Object& object) {
   reader.open(Word::kRadiosity);
   while (reader.accept(Word::kImportance)) {
     const double importance = reader.number();
-    if (!(importance > 0 && importance <= 1)) reader.error("Radiosity importance must be greater than 0 and at most 1.");
+    if (!(importance > 0 && importance <= 1)) reader.error("Radiosity importance must be greater than 0.0 and at most 1.0.");
     object.radiosity_importance = static_cast<float>(importance);
   }
   reader.close(Word::kRadiosity);

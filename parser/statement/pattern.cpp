@@ -73,7 +73,7 @@ bool at_turbulence_word(Word word) {
 
 int noise_generator(Reader& reader) {
   const int generator = reader.integer();
-  if (generator < 0 || generator > 3) reader.error("The noise_generator value must be between 0 and 3.");
+  if (generator < 0 || generator > 3) reader.error("Value for noise_generator must be 0, 1, 2, or 3.");
   return generator;
 }
 

@@ -44,14 +44,14 @@ void parse_arguments(Reader& reader, Slope& pattern, ParsedPattern&) {
     pattern.vector = reader.vector();
     range(pattern.low, pattern.high);
     if (reader.accept(Word::kAltitude)) {
-      if (pattern.point_at) reader.error("Keyword 'altitude' cannot be used with point_at.");
+      if (pattern.point_at) reader.error("Keyword 'altitude' cannot be used with 'point_at' in slope pattern.");
       pattern.altitude = reader.vector();
       range(pattern.altitude_low, pattern.altitude_high);
     }
     reader.close(Word::kSlope);
   }
   if (pattern.vector == dvec3(0) && pattern.altitude == dvec3(0) && !pattern.point_at)
-    reader.error("Slope and altitude vectors are both zero.");
+    reader.error("Zero length for both slope and gradient.");
 }
 
 void parse_arguments(Reader& reader, DensityFile& pattern, ParsedPattern&) {

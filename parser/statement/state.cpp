@@ -1,12 +1,8 @@
 #include "parser/statement/state.hpp"
 
+#include "parser/session.hpp"
+
 namespace lute {
-namespace {
-
-constexpr int kMaxNesting = 1000;  // of objects, textures, ... in each other: a frame takes some kilobytes of stack
-
-}  // namespace
-
 SceneStatements::SceneStatements() {
   defaults_.pigment = std::make_shared<const Pigment>();
   defaults_.finish = std::make_shared<const Finish>();
@@ -36,9 +32,10 @@ void warn_not_rendered(Reader& reader, std::string_view feature) {
 }
 
 NestingGuard::NestingGuard(Reader& reader) : statements_(statements_of(reader)) {
-  if (++statements_.nesting > kMaxNesting) {
+  const std::size_t most = reader.session().options.limits.blocks;  // a level takes some kilobytes of stack
+  if (++statements_.nesting > most) {
     --statements_.nesting;
-    reader.error("Too many nested blocks.", "nesting");
+    reader.error("Braces are nested too deeply: the limit is " + std::to_string(most) + ".", "limit-blocks");
   }
 }
 

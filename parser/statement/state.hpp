@@ -34,7 +34,7 @@ class SceneStatements : public StatementState {
   ImageFiles images;                    // files that the scene has read
   bool camera_given = false;
   bool untyped_normals = false;         // some normal has no pattern (yet): objects of the scene must not have it
-  int nesting = 0;                      // of blocks being read
+  std::size_t nesting = 0;              // of blocks being read
   std::set<std::string> not_rendered;   // features named in a warning already
 
  private:

@@ -19,6 +19,9 @@ std::unique_ptr<StatementState> make_statement_state();
 // Reads one top-level statement if the next token starts one; false (and nothing taken) if it does not.
 bool parse_statement(Reader& reader);
 
+// The word can begin a statement: an object, a camera, a setting, ...
+bool begins_top_level_statement(Word word);
+
 // `#default { ... }`: the keyword was taken.
 void parse_default(Reader& reader);
 

@@ -35,7 +35,7 @@ Lathe parse_lathe(Reader& reader) {
   const int count = reader.integer();
   if (count < static_cast<int>(least_points(lathe.spline))) reader.error("Too few points in lathe.");
   if (lathe.spline == PlanarSpline::kBezier && count % 4 != 0)
-    reader.error("Incorrect number of points in lathe: bezier_spline takes groups of four.");
+    reader.error("Lathe with Bezier splines must have four points per segment.");
   lathe.points = parse_points(reader, count);
   for (std::size_t i = 1; i + 1 < lathe.points.size(); ++i)
     if (lathe.points[i].x < 0) reader.error("Incorrect point in lathe.");

@@ -22,7 +22,7 @@ bool accept_own_modifier(Reader& reader, Pavement& pattern) {
 }
 
 void check_complete(Reader& reader, const Pavement& pattern) {
-  if (pattern.sides != 3 && pattern.sides != 4 && pattern.sides != 6) reader.error("Number of sides must be 3, 4 or 6.");
+  if (pattern.sides != 3 && pattern.sides != 4 && pattern.sides != 6) reader.error("number_of_sides of pavement must be 3, 4 or 6.");
   const int patterns = pavement_pattern_count(pattern.sides, pattern.tiles);
   if (patterns == 0) reader.error("Number of tiles out of range for a pavement with " + std::to_string(pattern.sides) + " sides.");
   if (pattern.pattern < 1 || pattern.pattern > patterns) reader.error("Pavement pattern out of range: 1 to " + std::to_string(patterns) + ".");

@@ -103,7 +103,7 @@ void parse_default_radiosity(Reader& reader) {
   reader.open(Word::kRadiosity);
   while (reader.accept(Word::kImportance)) {
     const double importance = reader.number();
-    if (!(importance > 0 && importance <= 1)) reader.error("Radiosity importance must be greater than 0 and at most 1.");
+    if (!(importance > 0 && importance <= 1)) reader.error("Radiosity importance must be greater than 0.0 and at most 1.0.");
     statements_of(reader).change_defaults().radiosity_importance = static_cast<float>(importance);
   }
   reader.close(Word::kRadiosity);
@@ -137,6 +137,15 @@ bool accept_default(Reader& reader) {
 
 bool parse_statement(Reader& reader) {
   return accept_scene_object(reader) || accept_surroundings(reader) || accept_setting(reader);
+}
+
+bool begins_top_level_statement(Word word) {
+  switch (word) {
+    case Word::kCamera: case Word::kBackground: case Word::kSkySphere: case Word::kFog: case Word::kRainbow: case Word::kMedia:
+    case Word::kGlobalSettings: case Word::kDefault: case Word::kMaxTraceLevel: case Word::kMaxIntersections: case Word::kDeclare:
+    case Word::kInclude: case Word::kVersion: return true;
+    default: return std::ranges::find(object_words(), word) != object_words().end();
+  }
 }
 
 void parse_default(Reader& reader) {

@@ -12,6 +12,7 @@ SymbolTable::Entry* SymbolTable::find_in(NameId name, std::uint32_t table) {
 }
 
 SymbolTable::Entry& SymbolTable::add(NameId name, std::uint32_t table, Slot slot) {
+  ++generation_;
   if (name >= entries_.size()) entries_.resize(std::max<std::size_t>(name + 1, entries_.size() * 2));
   std::vector<Entry>& stack = entries_[name];
   // A global that is created while inner entries exist goes below them.
@@ -22,11 +23,13 @@ SymbolTable::Entry& SymbolTable::add(NameId name, std::uint32_t table, Slot slot
 }
 
 void SymbolTable::remove(NameId name) {
+  ++generation_;
   if (find(name) != nullptr) entries_[name].pop_back();
 }
 
 void SymbolTable::pop_table() {
   const std::uint32_t table = newest();
+  if (!tables_.back().empty()) ++generation_;
   for (const NameId name : tables_.back()) {
     if (!entries_[name].empty() && entries_[name].back().table == table) entries_[name].pop_back();
   }

@@ -52,6 +52,8 @@ class SymbolTable {
   void remove(NameId name);  // the innermost entry
 
   std::uint32_t newest() const { return static_cast<std::uint32_t>(tables_.size() - 1); }
+  // Changes whenever a name is added or removed: until then the place of a name's value stays the same.
+  std::uint64_t generation() const { return generation_; }
   std::size_t table_count() const { return tables_.size(); }
   void push_table() { tables_.emplace_back(); }
   void pop_table();
@@ -60,6 +62,7 @@ class SymbolTable {
 
  private:
   std::vector<std::vector<Entry>> entries_;  // by name, in the order of their tables
+  std::uint64_t generation_ = 1;
   std::vector<std::vector<NameId>> tables_;  // names entered in each table (may hold names that were removed since)
 };
 

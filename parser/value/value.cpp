@@ -15,6 +15,16 @@ Value copy(const Value& value) {
   return result;
 }
 
+std::uint64_t size_of_copy(const Value& value) {
+  const ArrayPtr* array = value.get_if<ArrayPtr>();
+  if (array == nullptr) return 0;
+  std::uint64_t bytes = sizeof(Array) + (*array)->elements.size() * sizeof(Value);
+  if ((*array)->nesting > 1) {
+    for (const Value& element : (*array)->elements) bytes += size_of_copy(element);
+  }
+  return bytes;
+}
+
 namespace {
 
 constexpr std::size_t kNumberTypes = 5;

@@ -90,6 +90,9 @@ struct Value : ValueVariant {
 // A copy whose later changes do not reach the original: arrays are copied with their elements.
 Value copy(const Value& value);
 
+// The memory that a copy takes, in bytes; 0 where it shares what it holds.
+std::uint64_t size_of_copy(const Value& value);
+
 // Equal exactly for values of one language type: a float and a vector differ.
 std::size_t type_code(const Value& value);
 

@@ -1,6 +1,8 @@
 // Reads a scene text that the test holds, and gives back what it printed with #debug and what was said about it.
 #pragma once
 
+#include <algorithm>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -13,7 +15,12 @@ struct Reading {
   std::string printed;  // complete #debug lines
   std::vector<Diagnostic> diagnostics;
 
-  std::string error() const { return ok || diagnostics.empty() ? "" : diagnostics.back().message; }
+  // The first error: the one that POV-Ray stops at.
+  const Diagnostic* first_error() const {
+    const auto found = std::ranges::find(diagnostics, Severity::kError, &Diagnostic::severity);
+    return found == diagnostics.end() ? nullptr : &*found;
+  }
+  std::string error() const { return first_error() == nullptr ? "" : first_error()->message; }
   const Diagnostic& last() const { return diagnostics.back(); }
 };
 
@@ -22,6 +29,10 @@ inline Reading read_text(std::string_view text, ParseOptions options = {}) {
   Reading reading;
   options.input_file = "test.pov";
   options.input_text = "#version 3.7; global_settings { assumed_gamma 1 }\n" + std::string(text);
+  // Files of tests are there.
+  const std::string temporary = std::filesystem::temp_directory_path().string();
+  options.allow_read.push_back(temporary);
+  options.allow_write.push_back(temporary);
   options.on_debug = [&](std::string_view line) { reading.printed += line; };
   const ParseResult result = parse_scene(options);
   reading.ok = result.ok;

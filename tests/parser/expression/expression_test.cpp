@@ -104,7 +104,7 @@ TEST(UserFunction, RefusesWhatTheReferenceRefuses) {
   EXPECT_EQ(error_of("#declare f=function(x){!x}"), "Expected 'sign or operand', ! found instead");
   EXPECT_EQ(error_of("#declare f=function(x){abs(x,1)}"),
             "Invalid number of parameters for 'abs': Only one parameter expected!");
-  EXPECT_EQ(error_of("#declare f=function(x){1/0}"), "Division by zero.");
+  EXPECT_EQ(error_of("#declare f=function(x){x/0}"), "Division by zero.");
   EXPECT_EQ(error_of("#declare f=function{internal(999)}"), "Function 'internal(999)' does not exist.");
   EXPECT_EQ(error_of("#declare f=function(x){x} #declare f=function(x){x}"),
             "Redeclaring functions is not allowed - #undef the function first!");

@@ -27,7 +27,7 @@ TEST(Lights, CylinderLightsAreParallel) {
 TEST(Lights, OrientMakesAnAreaLightCircular) {
   EXPECT_TRUE(light_of("0, 1 area_light x, y, 2, 2 orient").area->circular);
   EXPECT_EQ(rejection_of(kVersion + "light_source { 0, 1 area_light x, y, 1, 2 circular }"),
-            "Circular area light must have more than 1 point per axis.");
+            "Circular area light must have more than 1 point per axis");
   EXPECT_EQ(rejection_of(kVersion + "light_source { 0, 1 area_light x, y, 0, 2 }"), "Area size must be greater than zero.");
 }
 

@@ -30,7 +30,8 @@ inline Scene scene_of(std::string_view text) {
 // The message of the fatal error; empty if the text is accepted.
 inline std::string rejection_of(std::string_view text) {
   const ParseResult result = read_scene(text);
-  return result.ok || result.diagnostics.empty() ? std::string() : result.diagnostics.back().message;
+  const auto first = std::ranges::find(result.diagnostics, Severity::kError, &Diagnostic::severity);
+  return first == result.diagnostics.end() ? std::string() : first->message;
 }
 
 inline bool warns(std::string_view text, std::string_view message) {

@@ -1,0 +1,137 @@
+#include "parser/diagnostic/advice.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace lute {
+
+namespace {
+
+struct Advice {
+  std::string_view message;  // how the message begins
+  std::string_view found;    // what was found, or "": anything
+  std::string_view hint;
+};
+
+// The first row that fits counts.
+constexpr Advice kAdvice[] = {
+    // Statements and blocks.
+    {"Expected 'object or directive'", ";", "a ';' ends #declare and #version only: leave it out"},
+    {"Expected 'object or directive'", "}", "no block is open here: leave the } out, or look for a { that is missing above"},
+    {"Expected 'object or directive'", "pigment", "a pigment belongs inside an object or texture, or behind #declare NAME ="},
+    {"Expected 'object or directive'", "texture", "a texture belongs inside an object, or behind #declare NAME ="},
+    {"Expected 'object or directive'", "finish", "a finish belongs inside an object or texture, or behind #declare NAME ="},
+    {"Expected 'object or directive'", "normal", "a normal belongs inside an object or texture, or behind #declare NAME ="},
+    {"Expected 'object or directive'", "interior", "an interior belongs inside an object, or behind #declare NAME ="},
+    {"Expected 'object or directive'", "material", "a material belongs inside an object, or behind #declare NAME ="},
+    {"Expected 'object or directive'", "if", "directives begin with #: #if(...) ... #end"},
+    {"Expected 'object or directive'", "while", "directives begin with #: #while(...) ... #end"},
+    {"Expected 'object or directive'", "for", "directives begin with #: #for(...) ... #end"},
+    {"Expected 'object or directive'", "else", "directives begin with #: #else"},
+    {"Expected 'object or directive'", "end", "directives begin with #: #end"},
+    {"Expected 'object or directive'", "macro", "directives begin with #: #macro NAME(...) ... #end"},
+    {"Expected 'object or directive'", "local", "directives begin with #: #local NAME = ..."},
+    {"Missing { after", "", "the items of a statement stand in braces: keyword { ... }"},
+    {"No matching } in 'array'", "", "the array has more items than its size"},
+    {"No matching } in", ",", "no comma is allowed here, or the item behind it does not belong in this block"},
+    {"No matching } in", ";", "items of a block are not ended with ';'"},
+    {"No matching } in", "End of File", "a } is missing"},
+    {"All #declares of float", "", "write ';' behind the value"},
+    {"Expected 'RValue to declare'", "", "a number, vector, colour, string, or a statement such as sphere { ... } can be declared"},
+    {"Expected 'undeclared identifier', macro identifier", "", "a macro of this name exists: #undef it first, or use another name"},
+    {"Expected 'undeclared identifier', undeclared", "", ""},
+    {"Expected 'undeclared identifier'", "", "this name is taken: choose another one, for example with a capital letter"},
+    {"Expected 'parameter identifier'", "", "parameters are names that are not reserved words, separated by commas"},
+    {"Cannot assign uninitialized identifier", "", "declare it first: #declare NAME = ..."},
+    {"Cannot pass uninitialized identifier", "", "declare it first: #declare NAME = ..."},
+
+    // Expressions.
+    {"Expected 'numeric expression'", "=", "a comparison is written with one =, and inside parentheses"},
+    {"Expected 'numeric expression'", "&", "'and' is written with one &"},
+    {"Expected 'numeric expression'", "|", "'or' is written with one |"},
+    {"Expected 'numeric expression'", "sqr", "write x*x: sqr works in no expression"},
+    {"Expected 'numeric expression'", "rgb", "colour keywords are no operands: declare the colour and use its name"},
+    {"Expected 'numeric expression'", "}", "a value is missing in front of the }"},
+    {"Expected 'numeric expression'", ",", "a value is missing in front of the comma"},
+    {"Expected 'numeric expression'", ";", "a value is missing in front of the ';'"},
+    {"Expected '>'", ">=", "write a blank between > and ="},
+    {"Float expected but vector", "", "a single number belongs here: take a component, as in V.x or C.red, or vlength(V)"},
+    {"UV_Vector expected", "", "a vector <u, v> of two components belongs here"},
+    {"Vector expected but color", "", "a vector <x, y, z> of three components belongs here"},
+    {"Conditional must evaluate to a float", "", "take a component of the vector, as in (V.x ? a : b)"},
+    {"Bad operands for period operator", "", "the value has fewer components"},
+    {"Expected 'x, y, z or color component'", "", "components are x y z t u v, red green blue filter transmit and gray"},
+    {"Illegal random number generator", "", "make one first: #declare R = seed(1); then rand(R)"},
+    {"Object identifier expected", "", "declare the object and use its name"},
+    {"Solid object identifier expected", "", "triangles, meshes, patches, discs and polygons have no inside"},
+    {"The expression is nested too deeply", "", "declare parts of it; --max-nesting N allows more"},
+    {"Too many loop turns", "", "does the loop end? --max-loop-turns N allows more"},
+    {"Too many tokens", "", "do the loops and macros end? --max-tokens N allows more"},
+    {"The scene needs more memory", "", "--max-memory MB allows more"},
+    {"Illegal parameters in substr", "", "substr(TEXT, P, N) needs 1 <= P and P + N - 1 <= strlen(TEXT)"},
+
+    // Text.
+    {"String too long", "", "names and strings have at most 255 characters: join strings with concat(...)"},
+    {"No end quote for string", "", "write \" at its end; inside a string \\\" is a quote"},
+    {"Unterminated string literal", "", "a backslash may not stand at the end of a line"},
+    {"No */ closing comment found", "", "comments nest: each /* needs a */ of its own"},
+    {"Illegal escape sequence", "", "a backslash is written \\\\ in strings"},
+    {"Unexpected end of escape sequence", "", "\\u is followed by four hexadecimal digits"},
+    {"Illegal character in input file", "", "outside of strings and comments a scene is plain ASCII"},
+    {"Unexpected additional '.'", "", "a number has one decimal point"},
+
+    // Arrays.
+    {"Negative subscript", "", "elements are counted from 0"},
+    {"Array subscript out of range", "", "the elements of array[N] are 0 to N-1"},
+    {"Attempt to access uninitialized array element", "", "assign it first: #declare A[i] = ..."},
+    {"Attempted to redefine", "", "all elements of an array have the type of the first that was assigned"},
+    {"Invalid dimension size", "", "sizes are at least 1: array[N]"},
+    {"Too many array dimensions", "", "an array has at most 5"},
+
+    // Conditionals, loops, macros, files.
+    {"Mis-matched '#end'", "", "no #if, #while, #for, #switch or #macro is open here"},
+    {"Mis-matched '#else'", "", "no #if is open here, or it has an #else already"},
+    {"Mis-matched '#elseif'", "", "no #if is open here, or it has an #else already"},
+    {"Mis-matched '#case'", "", "#case and #range belong inside #switch(...) ... #end"},
+    {"#switch not followed", "", "#switch(VALUE) #case(V) ... #break #range(A, B) ... #else ... #end"},
+    {"Invalid context for #break", "", "#break leaves a #while, #for, #switch or macro"},
+    {"#for loop increment", "", "#for(NAME, START, END, STEP)"},
+    {"#for loop variable must not be", "", "use a name of its own and copy it to the element"},
+    {"Too many nested symbol tables", "", "a macro calls itself without end: at most 98 calls may be open at once"},
+    {"Too many nested include files", "", "a file includes itself without end: at most 32 may be open at once"},
+    {"Cannot open include file", "", "name its folder with Library_Path=FOLDER or +LFOLDER"},
+    {"Cannot open image file", "", "name its folder with Library_Path=FOLDER or +LFOLDER"},
+    {"Cannot open density file", "", "name its folder with Library_Path=FOLDER or +LFOLDER"},
+    {"Cannot open font file", "", "name its folder with Library_Path=FOLDER or +LFOLDER"},
+    {"Expected 'file identifier'", "", "open the file first: #fopen NAME \"file\" write"},
+
+    // Statements.
+    {"Cannot parse sRGB colors", "", "set it first: global_settings { assumed_gamma 1.0 }"},
+    {"uv_mapping must be specified", "", "write uv_mapping in front of the texture"},
+    {"Empty sky_sphere statement", "", "sky_sphere { pigment { ... } }"},
+    {"Patterned texture must have", "", "texture { PATTERN texture_map { [0 ...] [1 ...] } }"},
+    {"Average must have map", "", "average needs a map: pigment { average pigment_map { [1 ...] [1 ...] } }"},
+    {"Cannot layer over a patterned", "", "let the textures of its map have layers instead"},
+    {"Camera location and look_at", "", "move the camera: location <0, 0, -5>"},
+    {"Degenerate plane normal", "", "plane { <0, 1, 0>, distance }"},
+    {"Must have at least one entry", "", "entries stand in brackets: [0 ...] [1 ...]"},
+    {"split_union found in non-union", "", "split_union belongs inside a union"},
+};
+
+std::string_view found_text(const Diagnostic& d) {
+  if (d.where.column == 0 || d.where.column > d.excerpt.size()) return "End of File";
+  const std::size_t length = d.end_column > d.where.column ? d.end_column - d.where.column : 1;
+  return std::string_view(d.excerpt).substr(d.where.column - 1, length);
+}
+
+}  // namespace
+
+std::string advice(const Diagnostic& diagnostic) {
+  const std::string_view found = found_text(diagnostic);
+  for (const Advice& row : kAdvice) {
+    if (diagnostic.message.starts_with(row.message) && (row.found.empty() || row.found == found)) return std::string(row.hint);
+  }
+  return "";
+}
+
+}  // namespace lute

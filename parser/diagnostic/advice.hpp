@@ -1,0 +1,13 @@
+// What to write instead, for errors where that is known. Messages themselves are POV-Ray's, so that they can be looked up.
+#pragma once
+
+#include <string>
+
+#include "parser/diagnostic/diagnostic.hpp"
+
+namespace lute {
+
+// "" where nothing useful can be said. `excerpt` and the marked columns of the diagnostic tell what was found.
+std::string advice(const Diagnostic& diagnostic);
+
+}  // namespace lute

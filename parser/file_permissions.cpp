@@ -1,0 +1,55 @@
+#include "parser/file_permissions.hpp"
+
+#include <algorithm>
+
+namespace lute {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path absolute(const std::string& path) {
+  std::error_code error;
+  const fs::path result = fs::absolute(path.empty() ? fs::path(".") : fs::path(path), error);
+  return error ? fs::path(path) : result;
+}
+
+// Where the name leads, links followed as far as the path exists.
+fs::path resolved(const std::string& path) {
+  std::error_code error;
+  const fs::path result = fs::weakly_canonical(absolute(path), error);
+  return error ? absolute(path).lexically_normal() : result;
+}
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+  const auto [rest_of_folder, rest_of_path] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return rest_of_folder == folder.end() || (rest_of_folder->empty() && std::next(rest_of_folder) == folder.end());
+}
+
+bool is_below_any(const fs::path& path, const std::vector<fs::path>& folders) {
+  return std::ranges::any_of(folders, [&](const fs::path& folder) { return is_below(path, folder); });
+}
+
+void add(std::vector<fs::path>& folders, const std::string& folder) {
+  folders.push_back(resolved(folder));
+  // Also by the name it was given: its entries may be links, set there by the folder's owner.
+  folders.push_back(absolute(folder).lexically_normal());
+}
+
+}  // namespace
+
+void FilePermissions::allow_read(const std::string& folder) { add(read_, folder); }
+void FilePermissions::allow_write(const std::string& folder) { add(write_, folder); }
+
+bool FilePermissions::may_read(const std::string& path) const {
+  if (is_below_any(resolved(path), read_)) return true;
+  // A link inside an allowed folder may be read through, but not left upwards again.
+  const fs::path name = absolute(path);
+  const bool climbs = std::ranges::find(name, fs::path("..")) != name.end();
+  return !climbs && is_below_any(name.lexically_normal(), read_);
+}
+
+// Links are never written through.
+bool FilePermissions::may_write(const std::string& path) const { return is_below_any(resolved(path), write_); }
+
+}  // namespace lute

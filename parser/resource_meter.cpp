@@ -1,0 +1,76 @@
+#include "parser/resource_meter.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "parser/session.hpp"
+
+namespace lute {
+
+namespace {
+
+constexpr std::uint64_t kTokensBetweenChecks = 1 << 15;
+constexpr std::uint64_t kChargeBetweenChecks = 16u << 20;
+
+std::uint64_t page_bytes() { return static_cast<std::uint64_t>(std::max(sysconf(_SC_PAGESIZE), 4096L)); }
+
+// Three quarters of what the machine, or the control group the process runs in, has.
+std::uint64_t default_memory_limit() {
+  std::uint64_t memory = static_cast<std::uint64_t>(std::max(sysconf(_SC_PHYS_PAGES), 1L)) * page_bytes();
+  std::ifstream group("/sys/fs/cgroup/memory.max");
+  std::uint64_t most = 0;
+  if (group >> most && most > 0) memory = std::min(memory, most);
+  return memory / 4 * 3;
+}
+
+}  // namespace
+
+std::uint64_t resident_bytes() {
+  std::FILE* const file = std::fopen("/proc/self/statm", "r");
+  if (file == nullptr) return 0;
+  unsigned long long total = 0, resident = 0;
+  const int found = std::fscanf(file, "%llu %llu", &total, &resident);
+  std::fclose(file);
+  return found == 2 ? resident * page_bytes() : 0;
+}
+
+ResourceMeter::ResourceMeter(Session& session, const ParseLimits& limits)
+    : session_(session),
+      limits_(limits),
+      memory_limit_(limits.memory_bytes != 0 ? limits.memory_bytes : default_memory_limit()),
+      next_check_(std::min(kTokensBetweenChecks, limits.tokens)) {}
+
+void ResourceMeter::check_tokens() {
+  if (tokens_ >= limits_.tokens) {
+    session_.fail("Too many tokens: the limit of " + std::to_string(limits_.tokens) + " is reached.", "limit-tokens");
+  }
+  next_check_ = std::min(tokens_ + kTokensBetweenChecks, limits_.tokens);
+  if (!session_.recovery.within_budget()) session_.fail("Reading behind an error takes too long.", "given-up");
+  check_memory(0);
+}
+
+void ResourceMeter::charge(std::uint64_t bytes) {
+  if (bytes > memory_limit_) fail_memory();
+  charged_ += bytes;
+  if (charged_ >= kChargeBetweenChecks) check_memory(bytes);
+}
+
+void ResourceMeter::check_memory(std::uint64_t wanted) {
+  charged_ = 0;
+  if (resident_bytes() + wanted > memory_limit_) fail_memory();
+}
+
+void ResourceMeter::fail_turns() {
+  session_.fail("Too many loop turns: the limit of " + std::to_string(limits_.loop_turns) + " is reached.", "limit-loop-turns");
+}
+
+void ResourceMeter::fail_memory() {
+  session_.fail("The scene needs more memory than the limit of " + std::to_string(memory_limit_ >> 20) + " MB.", "limit-memory");
+}
+
+}  // namespace lute

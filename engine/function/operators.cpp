@@ -32,7 +32,7 @@ double apply(UnaryOp op, double a) {
     case UnaryOp::kAtanh: return std::atanh(a);
     case UnaryOp::kAbs: return std::fabs(a);
     case UnaryOp::kRadians: return a * (kPi / 180.0);
-    case UnaryOp::kDegrees: return a / (kPi / 180.0);
+    case UnaryOp::kDegrees: return a * (180.0 / kPi);
     case UnaryOp::kFloor: return std::floor(a);
     case UnaryOp::kCeil: return std::ceil(a);
     case UnaryOp::kInt: return truncate_to_int32(a);

@@ -163,14 +163,15 @@ dvec3 normalized(Session& session, const dvec3& v) {
 
 dvec3 turbulence(Arguments a) {
   const int octaves = std::clamp(to_int32(a[2].c[0]), 1, 10);
-  const double lambda = a[0].c[0], omega = a[1].c[0];
-  const dvec3 point = a[3].vector();
+  // In single precision, as the reference keeps them (measured with omega 0.7).
+  const auto lambda = static_cast<double>(static_cast<float>(a[0].c[0])), omega = static_cast<double>(static_cast<float>(a[1].c[0]));
+  dvec3 point = a[3].vector();
   dvec3 result = vector_noise(point);
-  double scale = 1, weight = 1;
+  double weight = 1;
   for (int i = 2; i <= octaves; ++i) {
-    scale *= lambda;
+    point *= lambda;
     weight *= omega;
-    result += weight * vector_noise(point * scale);
+    result += weight * vector_noise(point);
   }
   return result;
 }

@@ -34,7 +34,9 @@ std::string format_float(double value, int length, int precision) {
     return std::string(text.data(), static_cast<std::size_t>(std::max(written, 0)));
   };
   const std::string fixed = print(length < 0 ? "%0*.*f" : "%*.*f");
-  return static_cast<int>(fixed.size()) > kLongest ? print(length < 0 ? "%0*.*g" : "%*.*g") : fixed;
+  if (static_cast<int>(fixed.size()) <= kLongest) return fixed;
+  const std::string general = print(length < 0 ? "%0*.*g" : "%*.*g");
+  return static_cast<int>(general.size()) <= kLongest ? general : "<invalid>";
 }
 
 namespace {

@@ -9,7 +9,7 @@
 #declare G = array[1]{array[2]{5,6}} F(G[0][1]) #declare I = 0; #while (I < dimension_size(B,1)) F(B[I]) #declare I = I + 1; #end
 #macro P(K) 0,<0,0,0> 1,<1,2,3> 2,<3,1,0> 4,<0,1,1> #end
 #declare L = spline { P(0) } #declare Q = spline { quadratic_spline P(0) } #declare N = spline { natural_spline P(0) } #declare K = spline { cubic_spline P(0) 5,<0,0,2> }
-#for (T, -1, 6, 0.25) Vec(3,L(T)) Vec(3,Q(T)) Vec(3,N(T)) Vec(3,K(T)) Vec(3,L(T,cubic_spline)) Vec(3,L(T,natural_spline)) Vec(3,K(T,linear_spline)) Vec(3,N(T,quadratic_spline)) #end
+#for (T, -1, 6, 0.27) Vec(3,L(T)) Vec(3,Q(T)) Vec(3,N(T)) Vec(3,K(T)) Vec(3,L(T,cubic_spline)) Vec(3,L(T,natural_spline)) Vec(3,K(T,linear_spline)) Vec(3,N(T,quadratic_spline)) #end
 #declare S = spline { cubic_spline 0,<0,2,4> 1,<1,1,1> } Vec(3,S(0)) Vec(3,S(.3)) Vec(3,S(1))
 #declare S = spline { natural_spline 0,<0,2,4> 1,<1,1,1> } Vec(3,S(.3)) #declare S = spline { quadratic_spline 0,<0,2,4> 1,<1,1,1> } Vec(3,S(.3))
 #declare S = spline { 3, <1,2> } Vec(2,S(0)) Vec(2,S(3)) Vec(2,S(9))

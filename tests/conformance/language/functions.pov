@@ -12,7 +12,7 @@
 #declare C1 = function(x) { x+0.1+0.2 } F(C1(.3)) #declare C2 = function(x) { x*3/7 } F(C2(.3)) #declare C3 = function(x) { 1-x-2 } F(C3(.3)) #declare C4 = function(x) { x<2=1 } F(C4(1)) #declare C5 = function(x) { g(1)/2*3 } F(C5(1)) #declare C6 = function(x) { g(x)/2*3 } F(C6(1))
 #declare S1 = function(x) { select(x,10,20,30) } F(S1(-1)) F(S1(0)) F(S1(1)) #declare S2 = function(x) { select(x,10,20) } F(S2(-1)) F(S2(0)) F(S2(1))
 #declare M1 = function(x,y) { mod(x,y)+div(x,y)+int(x)+floor(y)+ceil(x) } F(M1(7.5,2.25)) F(M1(-7.5,2.25)) #declare M2 = function(x,y) { max(x,y,1)-min(x,y,0) } F(M2(3,-2)) #declare M3 = function(x,y) { atan2(x,y)+atan2(0,0) } F(M3(1,2))
-#declare T1 = function(x) { sin(x)+cos(x)+tan(x)+asin(x)+acos(x)+atan(x)+sinh(x)+cosh(x)+tanh(x)+asinh(x)+acosh(1+x)+atanh(x)+abs(-x)+radians(x)+degrees(x)+sqrt(x)+exp(x)+log(x) } F(T1(.4))
+#declare T0 = function(x) { degrees(x) } F(T0(.4)) #declare T1 = function(x) { sin(x)+cos(x)+tan(x)+asin(x)+acos(x)+atan(x)+sinh(x)+cosh(x)+tanh(x)+asinh(x)+acosh(1+x)+atanh(x)+abs(-x)+radians(x)+degrees(x)+sqrt(x)+exp(x)+log(x) } F(T1(.4))
 #declare K = 3; #declare Fr = function(x) { x*K } #declare K = 5; F(Fr(2)) #declare u1 = function(u,v) { u-v } F(u1(5,3)) #declare u2 = function(a,b,c) { a*b+c } F(u2(2,3,4)) F(u2(1+1,3*1,4)) F(u2(2 3 4))
 #declare N1 = function(x) { -x } F(N1(2)) #declare N2 = function(x) { 2*-x } F(N2(2)) #declare N3 = function(x) { +x-(-x) } F(N3(2)) #declare N4 = function(x) { -(x+1)*2 } F(N4(2)) #declare P1 = function(x) { pi*x+clock } F(P1(1))
 #declare I1 = function(x) { 1/x } F(I1(4)) F(I1(0)) #declare I2 = function { internal(61) } F(I2(1,2,3,2)) #declare H = function(x,y,z) { f4(x,y,z)+f5(x,y,z).x-f8(x,y,z).red } F(H(1,2,3))

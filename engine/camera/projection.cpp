@@ -171,7 +171,8 @@ Projection::Projection(const Camera& camera, int width, int height)
 
 bool Projection::project(dvec2 position, ProjectedRay& ray) const {
   ray.origin = view_.location;
-  const ImagePoint point{(position.x + 0.5) / width_, 1 - (position.y + 0.5) / height_};
+  // Counted from the lower edge before the division, as the reference does: to the last bit, which patterns with a step in a plane show.
+  const ImagePoint point{(position.x + 0.5) / width_, (height_ - position.y - 0.5) / height_};
   return kProjections[static_cast<std::size_t>(kind_)](view_, point, ray);
 }
 

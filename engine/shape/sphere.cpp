@@ -10,6 +10,9 @@ namespace lute {
 namespace {
 
 constexpr double kMaxDepth = 1e7;      // in object units
+// Up to this squared distance of the origin, in radii, both forms of the chord are equally good. The reference's is then taken: a
+// pattern with a step on the very surface (onion on a sphere of radius 1) shows the last bits of the hits.
+constexpr double kNear = 1e4;
 constexpr double kGrazing = kEpsilon;  // share of radius² below which a chord is no hit
 
 // Hands both ends of the chord to `sink`, in units of the direction's length 1 / `scale`.
@@ -17,9 +20,14 @@ template <class Sink>
 void scan_sphere(const dvec3& origin, const dvec3& direction, const dvec3& center, double radius, double scale, Sink& sink) {
   const dvec3 w = center - origin;
   const double b = glm::dot(w, direction);
-  const dvec3 apart = w - b * direction;
   const double radius2 = radius * radius;
-  const double h = radius2 - glm::dot(apart, apart);
+  const double distance2 = glm::dot(w, w);
+  double apart2 = distance2 - b * b;  // of the chord from the centre, squared; to the last bit as the reference has it
+  if (distance2 > kNear * radius2) {
+    const dvec3 apart = w - b * direction;  // does not cancel
+    apart2 = glm::dot(apart, apart);
+  }
+  const double h = radius2 - apart2;
   if (!(h > kGrazing * radius2)) return;
   const double half_chord = std::sqrt(h);
   if (b + half_chord < 0 || b - half_chord > kMaxDepth) return;

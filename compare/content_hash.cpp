@@ -59,9 +59,10 @@ void add_quoted_names(std::set<fs::path>& files, const fs::path& folder, std::st
 std::vector<fs::path> files_of_scene(const fs::path& scene, std::string_view text) {
   const fs::path folder = fs::absolute(scene).parent_path();
   std::set<fs::path> files;
+  const bool all_scenes = scene.extension() == ".ini";  // names its scene, which may name others
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     std::error_code ignored;
-    if (entry.is_regular_file(ignored) && entry.path().extension() != ".pov") files.insert(entry.path());
+    if (entry.is_regular_file(ignored) && (all_scenes || entry.path().extension() != ".pov")) files.insert(entry.path());
   }
   add_quoted_names(files, folder, text);
   return {files.begin(), files.end()};

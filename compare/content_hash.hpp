@@ -26,7 +26,8 @@ std::uint64_t number_of(std::string_view text);
 // The whole file; throws std::runtime_error when it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-// The files that a scene may read beside it: every file of its folder except other scenes,
+// The files that a scene may read beside it: every file of its folder except other scenes
+// (with them for an INI file, which names its scene),
 // and whatever its text names in quotes relative to the folder (other scenes included).
 std::vector<std::filesystem::path> files_of_scene(const std::filesystem::path& scene, std::string_view text);
 

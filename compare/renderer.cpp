@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "compare/content_hash.hpp"
+#include "compare/frame_strip.hpp"
 #include "compare/scratch_folder.hpp"
 
 namespace lute::compare {
@@ -34,7 +35,27 @@ RenderOutcome outcome_of(const ProcessResult& process, const fs::path& picture) 
   return process.exit_code == 0 && fs::exists(picture, missing) ? RenderOutcome::kRendered : RenderOutcome::kRejected;
 }
 
+// The scene is the input, or the file of options that names its scene itself.
+std::vector<std::string> arguments_for(const std::string& program, const fs::path& scene, const fs::path& rendered,
+                                       const RenderSettings& settings) {
+  const std::string name = scene.filename().string();
+  std::vector<std::string> arguments = {program, is_frame_set(scene) ? name : "+I" + name};
+  for (const std::string& item : {"+L" + fs::absolute(scene).parent_path().string(), "+O" + rendered.string(), std::string("-D"), std::string("-P")})
+    arguments.push_back(item);
+  const std::vector<std::string> switches = settings.picture_switches();
+  arguments.insert(arguments.end(), switches.begin(), switches.end());
+  return arguments;
+}
+
 }  // namespace
+
+RenderSettings RenderSettings::for_frames() const {
+  RenderSettings frames = *this;
+  frames.width = std::max(1, width / 2);
+  frames.height = std::max(1, height / 2);
+  frames.time_limit = 10 * time_limit;
+  return frames;
+}
 
 std::vector<std::string> RenderSettings::picture_switches() const {
   std::vector<std::string> all = {"+W" + std::to_string(width), "+H" + std::to_string(height)};
@@ -60,16 +81,14 @@ const char* name_of(RenderOutcome outcome) {
 }
 
 RenderRun render(const std::string& program, const fs::path& scene, const fs::path& picture,
-                 const RenderSettings& settings) {
-  const fs::path folder = fs::absolute(scene).parent_path();
-  const ScratchFolder scratch(folder);
+                 const RenderSettings& of_scene) {
+  const RenderSettings settings = is_frame_set(scene) ? of_scene.for_frames() : of_scene;
+  const ScratchFolder scratch(fs::absolute(scene).parent_path());
   const ScratchFolder output;
   const fs::path rendered = output.path() / ("picture" + settings.extension());
 
   ProcessRequest request;
-  request.arguments = {
-      program, "+I" + scene.filename().string(), "+L" + folder.string(), "+O" + rendered.string(), "-D", "-P"};
-  for (const std::string& item : settings.picture_switches()) request.arguments.push_back(item);
+  request.arguments = arguments_for(program, scene, rendered, settings);
   request.working_directory = scratch.path();
   request.standard_error = output.path() / "messages";
   request.time_limit = settings.time_limit;
@@ -78,6 +97,10 @@ RenderRun render(const std::string& program, const fs::path& scene, const fs::pa
   RenderRun run;
   run.process = run_process(request);
   run.messages = end_of_file(request.standard_error);
+  if (is_frame_set(scene)) {
+    const std::vector<fs::path> frames = frames_beside(rendered);
+    if (!frames.empty()) write_picture(strip_of(frames), rendered);
+  }
   run.outcome = outcome_of(run.process, rendered);
   if (run.outcome == RenderOutcome::kRendered) {
     if (picture.has_parent_path()) fs::create_directories(picture.parent_path());

@@ -18,6 +18,9 @@ struct RenderSettings {
   double time_limit = 60;                                // seconds of wall time
   std::uint64_t memory_limit = std::uint64_t{12} << 30;  // bytes of address space
 
+  // Of each frame of a set (frame_strip.hpp): half as wide and high, since there are many, and ten times the time for all.
+  RenderSettings for_frames() const;
+
   // All switches that decide the picture, as given to both programs.
   std::vector<std::string> picture_switches() const;
   std::string extension() const { return file_type == "E" ? ".exr" : ".png"; }
@@ -34,7 +37,7 @@ struct RenderRun {
   std::string messages;           // the end of what it wrote to standard error
 };
 
-// Renders `scene` to `picture` in a scratch copy of the scene's folder.
+// Renders `scene` to `picture` in a scratch copy of the scene's folder; the frames of an INI file become a strip.
 RenderRun render(const std::string& program, const std::filesystem::path& scene, const std::filesystem::path& picture,
                  const RenderSettings& settings);
 

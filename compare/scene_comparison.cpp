@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "compare/frame_strip.hpp"
+
 namespace lute::compare {
 namespace fs = std::filesystem;
 
@@ -60,9 +62,32 @@ std::string reason_of(const SceneComparison& comparison) {
       return "ended by signal " + std::to_string(comparison.lute.process.signal);
     case SceneState::kReferenceRejects:
       return first_line_with(comparison.reference.messages, {"Error:", "error", "rror"});
+    case SceneState::kDiffers:
+      return comparison.frames > 1 ? "frame " + std::to_string(comparison.worst_frame + 1) + " of " + std::to_string(comparison.frames) : "";
     default:
       return {};
   }
+}
+
+// That of the scene itself; of a set of frames that of its scene.
+std::optional<ReferenceNoise> noise_of(const fs::path& scene, const ReferenceNoiseTable& noise) {
+  const fs::path path = fs::absolute(scene).lexically_normal();
+  return noise.find(is_frame_set(path) ? scene_of_set(path).value_or(path) : path);
+}
+
+// The worst frame stands for all, also in the report's pictures.
+void compare_frames(SceneComparison& comparison, const Picture& rendered, const Picture& expected, int height,
+                    const std::string& base) {
+  const WorstFrame worst = worst_frame(rendered, expected, height, comparison.noise);
+  comparison.difference = worst.difference;
+  comparison.frames = worst.count;
+  comparison.worst_frame = worst.index;
+  comparison.lute.picture = base + ".worst.lute.png";
+  comparison.reference.picture = base + ".worst.reference.png";
+  comparison.heat_map = base + ".heat.png";
+  write_picture(worst.a, comparison.lute.picture);
+  write_picture(worst.b, comparison.reference.picture);
+  write_picture(heat_map(worst.a, worst.b), comparison.heat_map);
 }
 
 }  // namespace
@@ -93,7 +118,7 @@ SceneComparison compare_scene(const SceneFile& scene, const ReferenceCache& cach
                               const ComparisonSettings& settings) {
   SceneComparison comparison;
   comparison.scene = scene;
-  comparison.noise = noise.find(fs::absolute(scene.path).lexically_normal());
+  comparison.noise = noise_of(scene.path, noise);
   comparison.reference = cache.get(scene.path, settings.reference, settings.measure_again);
   if (comparison.reference.outcome == RenderOutcome::kTimedOut) {
     comparison.state = SceneState::kReferenceTimeout;
@@ -107,9 +132,13 @@ SceneComparison compare_scene(const SceneFile& scene, const ReferenceCache& cach
   if (!comparison.reference.picture.empty() && !comparison.lute.picture.empty()) {
     const Picture expected = read_picture(comparison.reference.picture);
     const Picture rendered = read_picture(comparison.lute.picture);
-    comparison.difference = difference(rendered, expected, kPixelTolerance255);
-    comparison.heat_map = base.string() + ".heat.png";
-    write_picture(heat_map(rendered, expected), comparison.heat_map);
+    if (is_frame_set(scene.path)) {
+      compare_frames(comparison, rendered, expected, settings.lute.for_frames().height, base.string());
+    } else {
+      comparison.difference = difference(rendered, expected, kPixelTolerance255);
+      comparison.heat_map = base.string() + ".heat.png";
+      write_picture(heat_map(rendered, expected), comparison.heat_map);
+    }
   }
   comparison.state = state_of(comparison);
   comparison.reason = reason_of(comparison);

@@ -34,7 +34,8 @@ bool is_good(SceneState state);  // kMatch or kBothReject
 struct SceneComparison {
   SceneFile scene;
   SceneState state = SceneState::kReferenceTimeout;
-  std::optional<Difference> difference;  // if both rendered
+  std::optional<Difference> difference;  // if both rendered; of the worst frame of a set of frames
+  int frames = 1, worst_frame = 0;       // of a set of frames; counted from 0
   std::optional<ReferenceNoise> noise;   // if the reference differs from itself
   ReferenceResult reference;
   RenderRun lute;

@@ -5,9 +5,16 @@
 #include <stdexcept>
 
 #include "compare/content_hash.hpp"
+#include "compare/frame_strip.hpp"
 
 namespace lute::compare {
 namespace fs = std::filesystem;
+
+namespace {
+
+bool is_scene(const fs::path& file) { return file.extension() == ".pov" || (is_frame_set(file) && scene_of_set(file)); }
+
+}  // namespace
 
 std::vector<SceneFile> find_scenes(const std::vector<std::string>& arguments, const std::string& filter) {
   std::vector<SceneFile> scenes;
@@ -18,7 +25,7 @@ std::vector<SceneFile> find_scenes(const std::vector<std::string>& arguments, co
       continue;
     }
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(argument)) {
-      if (!entry.is_regular_file() || entry.path().extension() != ".pov") continue;
+      if (!entry.is_regular_file() || !is_scene(entry.path())) continue;
       scenes.push_back({entry.path(), entry.path().lexically_relative(argument).string()});
     }
   }

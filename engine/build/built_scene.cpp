@@ -58,11 +58,17 @@ BuiltRainbow built_rainbow(const Rainbow& r) {
   return built;
 }
 
+// What contains the start of the camera's rays is then asked for each of them.
+bool rays_start_apart(const Camera& camera) {
+  const CameraKind kind = camera.kind;
+  return camera.aperture != 0 || kind == CameraKind::kOrthographic || kind == CameraKind::kCylinder3 || kind == CameraKind::kCylinder4 ||
+         kind == CameraKind::kMesh;
+}
+
 }  // namespace
 
 void BuiltScene::interiors_at(const dvec3& point, std::vector<const BuiltInterior*>& out) const {
-  for (const auto& [solid, interior] : containers)
-    if (solid->box.contains(point) && solid->plain_inside(point)) out.push_back(interior);
+  containers.find(point, out);
 }
 
 std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const BuildOptions& options) {
@@ -81,6 +87,7 @@ std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const BuildOptions& 
   builder.use_hierarchy(solids >= options.bounding_threshold);
   for (const ObjectPtr& object : scene.objects) builder.add(object);
   builder.finish();
+  if (rays_start_apart(scene.camera)) built->containers.index();
 
   built->background = built_background(scene, built->settings);
   if (scene.sky_sphere) built->sky = built_sky(*scene.sky_sphere, *built->textures);

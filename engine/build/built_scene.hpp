@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/accel/scene_tree.hpp"
+#include "engine/build/containers.hpp"
 #include "engine/csg/solid.hpp"
 #include "engine/light/light.hpp"
 #include "engine/scene/scene.hpp"
@@ -84,7 +85,7 @@ struct BuiltScene {
   // Interiors of the solids that contain a point, in scene order: where a camera ray starts (chapter 20 §8.1).
   void interiors_at(const dvec3& point, std::vector<const BuiltInterior*>& out) const;
 
-  std::vector<std::pair<const Solid*, const BuiltInterior*>> containers;  // top-level solids with an inside
+  Containers containers;  // top-level solids with an inside
 };
 
 std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const BuildOptions& options = {});

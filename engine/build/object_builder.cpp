@@ -167,7 +167,7 @@ SceneBuilder::Limits SceneBuilder::limits(const Object& object, const Context& o
 
 void SceneBuilder::add_container(const Solid& solid, const Context& own) {
   if (const auto* leaf = dynamic_cast<const LeafSolid*>(&solid); leaf != nullptr && leaf->leaf().shape->is_patch()) return;
-  built_.containers.emplace_back(&solid, own.interior);
+  built_.containers.add(solid, own.interior);
 }
 
 void SceneBuilder::finish() {

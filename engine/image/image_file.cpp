@@ -8,6 +8,7 @@
 
 #include "engine/image/format_library.hpp"
 #include "engine/image/color_mapped.hpp"
+#include "engine/image/jpeg_reader.hpp"
 #include "engine/image/png_reader.hpp"
 
 namespace lute {
@@ -71,6 +72,13 @@ std::shared_ptr<Image> make_png(const std::string& path, const ImageFileOptions&
   std::vector<float> decoded = table(256, convert);
   if (png.grey_file) requantise_grey(decoded);
   return std::make_shared<Image>(png.width, png.height, png.channels, std::move(png.bytes), std::move(decoded));
+}
+
+std::shared_ptr<Image> make_jpeg(const std::string& path, const ImageFileOptions& options, std::string& error) {
+  JpegContent jpeg;
+  if (!read_jpeg(path, jpeg, error)) return nullptr;
+  const Convert convert = conversion(options, curve_of_format("jpeg", options));
+  return std::make_shared<Image>(jpeg.width, jpeg.height, jpeg.channels, std::move(jpeg.bytes), table(256, convert));
 }
 
 std::shared_ptr<Image> make_color_mapped(ColorMapped file, const Convert& convert) {
@@ -138,6 +146,7 @@ std::shared_ptr<Image> make_other(const std::string& path, const ImageFileOption
 std::shared_ptr<Image> make_image(const std::string& path, const std::string& type, const ImageFileOptions& options,
                                   std::string& error) {
   if (type == "png") return make_png(path, options, error);
+  if (type == "jpeg") return make_jpeg(path, options, error);
   if (type == "pot") return make_pot(path, options, error);
   std::optional<ColorMapped> file;
   if (type == "gif") file = read_gif(path, error);

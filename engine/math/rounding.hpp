@@ -16,4 +16,10 @@ inline double fast_floor(double v) {
   return t > v ? t - 1 : t;
 }
 
+// Equal to std::fmod(v, 1) for every number: the part after the point, with the sign of v.
+inline double fraction(double v) {
+  if (!(std::fabs(v) < kAllIntegers)) return std::fmod(v, 1.0);
+  return v - static_cast<double>(static_cast<std::int64_t>(v));
+}
+
 }  // namespace lute

@@ -43,7 +43,8 @@ dvec3 CompiledNormal::perturb(const dvec3& normal, const dvec3& point, const Sur
     n = pattern_->perturb(n, amount_, warped, surface);
   else if (pattern_->pattern() != nullptr)
     n = by_slope(n, warped, surface);
-  return glm::normalize(pattern_->carry_out(n, bump_scale_));
+  const dvec3 out = pattern_->carry_out(n, bump_scale_);
+  return bump_scale_ ? out : glm::normalize(out);  // carried out with its bump scale it is a unit already
 }
 
 dvec3 CompiledNormal::by_slope(dvec3 normal, const dvec3& warped, const SurfaceContext& surface) const {

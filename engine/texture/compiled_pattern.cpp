@@ -73,7 +73,8 @@ double CompiledPattern::value(const dvec3& warped, const SurfaceContext& surface
   constexpr double kModulus = 1.00001;
   if (frequency_ != 0) {
     v = v * frequency_ + phase_;
-    if (!(std::fabs(v) < kModulus)) v = std::fmod(v, kModulus);
+    // Once beyond the modulus the difference is exact, and what fmod gives.
+    if (!(std::fabs(v) < kModulus)) v = std::fabs(v) < 2 * kModulus ? v - std::copysign(kModulus, v) : std::fmod(v, kModulus);
   }
   if (v < 0) v -= fast_floor(v);
   return shape_wave(wave_, v, wave_exponent_);
@@ -103,16 +104,24 @@ dvec3 CompiledPattern::perturb(const dvec3& normal, double amount, const dvec3& 
 
 dvec3 CompiledPattern::carry_in(dvec3 normal, bool normalise) const {
   if (normalise) normal = glm::normalize(normal);
+  bool carried = false;
   for (const Warp& w : chain_)
-    if (const auto* t = std::get_if<Transform>(&w)) normal = glm::transpose(t->linear) * normal;
-  return normalise ? glm::normalize(normal) : normal;
+    if (const auto* t = std::get_if<Transform>(&w)) {
+      normal = glm::transpose(t->linear) * normal;
+      carried = true;
+    }
+  return normalise && carried ? glm::normalize(normal) : normal;
 }
 
 dvec3 CompiledPattern::carry_out(dvec3 normal, bool normalise) const {
   if (normalise) normal = glm::normalize(normal);
+  bool carried = false;
   for (auto w = chain_.rbegin(); w != chain_.rend(); ++w)
-    if (const auto* t = std::get_if<Transform>(&*w)) normal = glm::transpose(t->inverse_linear) * normal;
-  return normalise ? glm::normalize(normal) : normal;
+    if (const auto* t = std::get_if<Transform>(&*w)) {
+      normal = glm::transpose(t->inverse_linear) * normal;
+      carried = true;
+    }
+  return normalise && carried ? glm::normalize(normal) : normal;
 }
 
 }  // namespace lute

@@ -103,7 +103,9 @@ RingPosition turn_about_ring(const dvec3& p, double major_radius) {
 }
 
 dvec3 apply_warps(const WarpChain& chain, dvec3 point, bool skip_classic_turbulence) {
-  for (const Warp& w : chain) {
+  if (const auto* only = chain.size() == 1 ? std::get_if<Transform>(&chain.front()) : nullptr)  // most often
+    point = only->inverse_point(point);
+  else for (const Warp& w : chain) {
     if (skip_classic_turbulence && std::holds_alternative<ClassicTurbulence>(w)) continue;
     point = std::visit([&](const auto& each) { return warp(each, point); }, w);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -47,6 +48,8 @@ class Cubes {
     const double* r = random_ + hash_[hash_[hash_x_[static_cast<std::size_t>(o.x + 2)] ^ step(y_, o.y)] ^ step(z_, o.z)];
     return {cube.x + o.x + r[0], cube.y + o.y + r[1], cube.z + o.z + r[2]};
   }
+  // Cubes side by side differ in it.
+  std::size_t place() const { return (hash_x_[2] & 1u) + 5 * y_ + 7 * z_ + 3 * (hash_x_[2] >> 1); }
 
   const dvec3 point, cube;
 
@@ -56,33 +59,235 @@ class Cubes {
   std::uint32_t hash_x_[5], y_, z_;
 };
 
-// power(d): |d|^metric of one component; the distance is the sum over the components. `grows`: it grows with |d|.
-template <class Power>
-FeaturePoints nearest_points(const dvec3& p, int wanted, const Power& power, bool grows = true) {
-  const Cubes cubes(p);
-  // At least so far away is everything in the cubes at an offset along an axis.
-  double least[3][5];
-  for (int axis = 0; axis < 3; ++axis) {
-    const double in_cube = p[axis] - cubes.cube[axis];
-    for (int o = -2; o <= 2; ++o)
-      least[axis][o + 2] = o == 0 || !grows ? 0 : power(std::max(o > 0 ? o - in_cube : in_cube - (o + 1), 0.0));
+// The smallest distances so far. Of equal ones the first found stays in front.
+struct Nearest {
+  FeaturePoints points;
+  Nearest() {
+    const double inf = std::numeric_limits<double>::infinity();
+    points = {{inf, inf, inf}, dvec3(0)};
   }
-  const double inf = std::numeric_limits<double>::infinity();
-  FeaturePoints n{{inf, inf, inf}, dvec3(0)};
-  for (const Offset& o : kOffsets) {
-    constexpr double kRounding = 1 - 1e-9;
-    if ((least[0][o.x + 2] + least[1][o.y + 2] + least[2][o.z + 2]) * kRounding > n.distance[wanted - 1]) continue;
-    const dvec3 feature = cubes.feature(o), d = p - feature;
-    const double s = power(d.x) + power(d.y) + power(d.z);
-    if (!(s < n.distance[2])) continue;
-    n.distance[2] = s;
-    if (s < n.distance[1]) std::swap(n.distance[1], n.distance[2]);
-    if (s < n.distance[0]) {
-      std::swap(n.distance[0], n.distance[1]);
-      n.nearest = feature;
+  // True if the distance was among the three.
+  bool add(double s, const dvec3& feature) {
+    auto& d = points.distance;
+    if (!(s < d[2])) return false;
+    d[2] = s;
+    if (s < d[1]) std::swap(d[1], d[2]);
+    if (s < d[0]) {
+      std::swap(d[0], d[1]);
+      points.nearest = feature;
+    }
+    return true;
+  }
+};
+
+// |d|^metric without pow, for multiples of 1/2.
+struct HalfPower {
+  int whole;
+  bool root;
+  double operator()(double d) const {
+    const double a = std::fabs(d);
+    double v = root ? std::sqrt(a) : 1;
+    for (int i = 0; i < whole; ++i) v *= a;
+    return v;
+  }
+};
+constexpr double kLargestHalfPower = 8;
+
+// What a metric makes of a distance along an axis; grows with it.
+template <class Power>
+concept DistancePower = requires(const Power& power, double d) {
+  { power(d) } -> std::same_as<double>;
+};
+
+// At least so far away, along an axis, is everything in the cubes at each offset.
+struct LeastDistances {
+  double along[3][5];
+  explicit LeastDistances(const Cubes& cubes) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double in_cube = cubes.point[axis] - cubes.cube[axis];
+      for (int o = -2; o <= 2; ++o)
+        along[axis][o + 2] = o == 0 ? 0 : std::max(o > 0 ? o - in_cube : in_cube - (o + 1), 0.0);
     }
   }
-  return n;
+};
+
+constexpr double kRounding = 1 + 1e-9;
+
+// For powers that are cheap: cubes that are too far away by the metric itself are passed over.
+template <DistancePower Power>
+FeaturePoints nearest_by_metric(const Cubes& cubes, int wanted, const Power& power) {
+  LeastDistances least(cubes);
+  for (auto& axis : least.along)
+    for (double& d : axis) d = power(d);
+  Nearest nearest;
+  for (const Offset& o : kOffsets) {
+    const double least_sum = least.along[0][o.x + 2] + least.along[1][o.y + 2] + least.along[2][o.z + 2];
+    if (least_sum > nearest.points.distance[wanted - 1] * kRounding) continue;
+    const dvec3 feature = cubes.feature(o), d = cubes.point - feature;
+    nearest.add(power(d.x) + power(d.y) + power(d.z), feature);
+  }
+  return nearest.points;
+}
+
+// For powers that are dear: a point whose distance along one axis alone is too large needs none.
+template <DistancePower Power>
+FeaturePoints nearest_by_axis(const Cubes& cubes, int wanted, const Power& power, double metric) {
+  const LeastDistances least(cubes);
+  Nearest nearest;
+  double radius = std::numeric_limits<double>::infinity();
+  for (const Offset& o : kOffsets) {
+    if (std::max({least.along[0][o.x + 2], least.along[1][o.y + 2], least.along[2][o.z + 2]}) > radius) continue;
+    const dvec3 feature = cubes.feature(o), d = cubes.point - feature, a = glm::abs(d);
+    if (std::max({a.x, a.y, a.z}) > radius) continue;
+    if (nearest.add(power(d.x) + power(d.y) + power(d.z), feature))
+      radius = std::pow(nearest.points.distance[wanted - 1], 1 / metric) * kRounding;
+  }
+  return nearest.points;
+}
+
+// Metrics that do not grow with the distance.
+FeaturePoints nearest_of_all(const Cubes& cubes, double metric) {
+  Nearest nearest;
+  for (const Offset& o : kOffsets) {
+    const dvec3 feature = cubes.feature(o), d = cubes.point - feature;
+    nearest.add(std::pow(std::fabs(d.x), metric) + std::pow(std::fabs(d.y), metric) + std::pow(std::fabs(d.z), metric), feature);
+  }
+  return nearest.points;
+}
+
+// Feature points of the cubes kOffsets[first] ... , laid out for a loop without branches: as many as whole vectors hold, those beyond
+// the last infinitely far away.
+template <std::size_t first, std::size_t count>
+struct PointBlock {
+  static constexpr std::size_t kLength = (count + 3) / 4 * 4;
+  alignas(64) double x[kLength], y[kLength], z[kLength];
+
+  void fill(const Cubes& cubes) {
+    std::fill(x, x + kLength, std::numeric_limits<double>::infinity());
+    std::fill(y, y + kLength, 0.0);
+    std::fill(z, z + kLength, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      const dvec3 feature = cubes.feature(kOffsets[first + i]);
+      x[i] = feature.x;
+      y[i] = feature.y;
+      z[i] = feature.z;
+    }
+  }
+
+  // The distances first, all at once, then the smallest of them.
+  template <DistancePower Power>
+  void add_to(Nearest& nearest, const dvec3& p, const Power& power) const {
+    alignas(64) double distance[kLength];
+    for (std::size_t i = 0; i < kLength; ++i) distance[i] = power(p.x - x[i]) + power(p.y - y[i]) + power(p.z - z[i]);
+    for (std::size_t i = 0; i < count; ++i)
+      if (distance[i] < nearest.points.distance[2]) nearest.add(distance[i], {x[i], y[i], z[i]});
+  }
+
+  // For powers that are dear: only of what is within `radius` along every axis, which shrinks with what is found.
+  template <DistancePower Power>
+  void add_within(Nearest& nearest, double& radius, const dvec3& p, int wanted, const Power& power, double metric) const {
+    alignas(64) double farthest[kLength];
+    for (std::size_t i = 0; i < kLength; ++i) {
+      const double dx = std::fabs(p.x - x[i]), dy = std::fabs(p.y - y[i]), dz = std::fabs(p.z - z[i]);
+      const double xy = dx > dy ? dx : dy;
+      farthest[i] = xy > dz ? xy : dz;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (farthest[i] > radius) continue;
+      const dvec3 feature{x[i], y[i], z[i]}, d = p - feature;
+      if (nearest.add(power(d.x) + power(d.y) + power(d.z), feature))
+        radius = std::pow(nearest.points.distance[wanted - 1], 1 / metric) * kRounding;
+    }
+  }
+};
+
+// The cube with its 26 neighbours, and the cubes around those, which are at least 1 away whatever the metric: they are needed
+// seldom.
+constexpr std::size_t kInner = 27;
+
+class CubePoints {
+ public:
+  void fill(const Cubes& cubes) {
+    inner_.fill(cubes);
+    outer_filled_ = false;
+  }
+
+  template <DistancePower Power>
+  FeaturePoints nearest(const Cubes& cubes, int wanted, const Power& power) {
+    Nearest nearest;
+    inner_.add_to(nearest, cubes.point, power);
+    if (nearest.points.distance[wanted - 1] > 1) outer(cubes).add_to(nearest, cubes.point, power);
+    return nearest.points;
+  }
+  template <DistancePower Power>
+  FeaturePoints nearest(const Cubes& cubes, int wanted, const Power& power, double metric) {
+    Nearest nearest;
+    double radius = std::numeric_limits<double>::infinity();
+    inner_.add_within(nearest, radius, cubes.point, wanted, power, metric);
+    if (nearest.points.distance[wanted - 1] > 1) outer(cubes).add_within(nearest, radius, cubes.point, wanted, power, metric);
+    return nearest.points;
+  }
+
+ private:
+  using Outer = PointBlock<kInner, kOffsets.size() - kInner>;
+
+  const Outer& outer(const Cubes& cubes) {
+    if (!outer_filled_) outer_.fill(cubes);
+    outer_filled_ = true;
+    return outer_;
+  }
+
+  PointBlock<0, kInner> inner_;
+  Outer outer_;
+  bool outer_filled_ = false;
+};
+
+// Remembers the points around cubes that are asked for again and again: neighbouring pixels mostly see the same cube. A cube is
+// filled when it is asked for the second time in a row, because a single question needs fewer points.
+class CubeMemory {
+ public:
+  CubePoints* find(const Cubes& cubes) {
+    Entry& entry = entries_[cubes.place() % kEntries];
+    if (entry.asked == 0 || entry.cube != cubes.cube) {
+      entry.cube = cubes.cube;
+      entry.asked = 1;
+      return nullptr;
+    }
+    if (entry.asked == 1) {
+      entry.points.fill(cubes);
+      entry.asked = 2;
+    }
+    return &entry.points;
+  }
+
+ private:
+  static constexpr std::size_t kEntries = 16;  // 32 KiB
+  struct Entry {
+    dvec3 cube{0};
+    int asked = 0;
+    CubePoints points;
+  };
+  Entry entries_[kEntries];
+};
+
+// Of this thread: what is remembered never changes a result.
+CubeMemory& cube_memory() {
+  thread_local CubeMemory memory;
+  return memory;
+}
+
+template <DistancePower Power>
+FeaturePoints nearest_cheaply(const Cubes& cubes, int wanted, const Power& power) {
+  if (CubePoints* points = cube_memory().find(cubes)) return points->nearest(cubes, wanted, power);
+  return nearest_by_metric(cubes, wanted, power);
+}
+
+template <DistancePower Power>
+FeaturePoints nearest_dearly(const Cubes& cubes, int wanted, const Power& power, double metric) {
+  // Below 1 the distance along one axis says little.
+  if (metric < 1) return nearest_by_metric(cubes, wanted, power);
+  if (CubePoints* points = cube_memory().find(cubes)) return points->nearest(cubes, wanted, power, metric);
+  return nearest_by_axis(cubes, wanted, power, metric);
 }
 
 dvec3 nearest_by_signed_sum(const dvec3& p) {
@@ -102,9 +307,14 @@ dvec3 nearest_by_signed_sum(const dvec3& p) {
 }  // namespace
 
 FeaturePoints crackle_points(const dvec3& p, double metric, int wanted) {
-  if (metric == 2) return nearest_points(p, wanted, [](double d) { return d * d; });
-  if (metric == 1) return nearest_points(p, wanted, [](double d) { return std::fabs(d); });
-  return nearest_points(p, wanted, [metric](double d) { return std::pow(std::fabs(d), metric); }, metric > 0);
+  const Cubes cubes(p);
+  if (metric == 2) return nearest_cheaply(cubes, wanted, [](double d) { return d * d; });
+  if (metric == 1) return nearest_cheaply(cubes, wanted, [](double d) { return std::fabs(d); });
+  if (!(metric > 0)) return nearest_of_all(cubes, metric);
+  const double halves = 2 * metric;
+  if (metric <= kLargestHalfPower && halves == fast_floor(halves))
+    return nearest_dearly(cubes, wanted, HalfPower{static_cast<int>(metric), static_cast<int>(halves) % 2 != 0}, metric);
+  return nearest_dearly(cubes, wanted, [metric](double d) { return std::pow(std::fabs(d), metric); }, metric);
 }
 
 dvec3 facet_point(const dvec3& p, double metric) { return metric == 1 ? nearest_by_signed_sum(p) : crackle_points(p, metric, 1).nearest; }

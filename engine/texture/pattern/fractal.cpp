@@ -21,15 +21,22 @@ FractalPoint power(FractalPoint z, int exponent) {
   return result;
 }
 
-FractalPoint magnet_step(int type, FractalPoint z, FractalPoint c) {
-  if (type == 1) {
-    const FractalPoint q = (z * z + c - 1) / (2 * z + c - 2);
+// What the steps of a magnet make of the constant.
+class MagnetStep {
+ public:
+  MagnetStep(int type, FractalPoint c) : type_(type), c_(c), c1_(c - 1), c2_(c - 2), c12_(c1_ * c2_) {}
+
+  FractalPoint operator()(FractalPoint z) const {
+    const FractalPoint z2 = z * z;
+    const FractalPoint q = type_ == 1 ? (z2 + c_ - 1) / (2 * z + c_ - 2)
+                                      : (z2 * z + 3 * (c1_ * z) + c12_) / (3 * z2 + 3 * (c2_ * z) + c12_ - -1.0);
     return q * q;
   }
-  const FractalPoint c1 = c - 1, c2 = c - 2, c12 = c1 * c2, z2 = z * z;
-  const FractalPoint q = (z2 * z + 3 * (c1 * z) + c12) / (3 * z2 + 3 * (c2 * z) + c12 - -1.0);
-  return q * q;
-}
+
+ private:
+  int type_;
+  FractalPoint c_, c1_, c2_, c12_;
+};
 
 }  // namespace
 
@@ -79,8 +86,9 @@ double iterate_power(const FractalSettings& settings, int exponent, FractalPoint
 }
 
 double iterate_magnet(const FractalSettings& settings, int type, FractalPoint z, const FractalPoint& c, double nearest2) {
+  const MagnetStep step(type, c);
   for (int n = 0; n < settings.iterations; ++n) {
-    z = magnet_step(type, z, c);
+    z = step(z);
     const double size2 = norm2(z);
     nearest2 = std::min(nearest2, size2);
     if (size2 > 10000 || norm2(z - 1) < 0.0001) return exterior_value(settings, n, z);

@@ -1,9 +1,9 @@
 #include "engine/texture/pattern/onion.hpp"
 
-#include <cmath>
+#include "engine/math/rounding.hpp"
 
 namespace lute {
 
-double evaluate(const Onion&, const dvec3& p, const PatternContext&) { return std::fmod(glm::length(p), 1.0); }
+double evaluate(const Onion&, const dvec3& p, const PatternContext&) { return fraction(glm::length(p)); }
 
 }  // namespace lute

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/rounding.hpp"
 #include "engine/texture/surface_context.hpp"
 
 namespace lute {
@@ -10,7 +11,7 @@ namespace {
 
 double rescaled(double v, double low, double high) { return high - low != 0 ? (v - low) / (high - low) : v; }
 
-double wrapped(double v) { return v < 0 ? 1 + std::fmod(v, 1.0) : std::fmod(v, 1.0); }
+double wrapped(double v) { return v < 0 ? 1 + fraction(v) : fraction(v); }
 
 }  // namespace
 

@@ -1,19 +1,49 @@
 // What leaves and combinations share about boxes, clips and bounds. Source: specification chapter 20 §7.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "engine/csg/leaf_solid.hpp"
 
 namespace lute {
 
-// True if the ray meets the closed box at a depth in `range`.
-bool meets_box(const Ray& ray, Interval range, const Aabb& box);
+// Tests many boxes against one ray.
+class BoxTest {
+ public:
+  explicit BoxTest(const Ray& ray) : origin_(ray.origin), inverse_(1.0 / ray.direction) {}
+
+  // True if the ray meets the closed box at a depth in `range`. Depths are widened by a few units in the last place, so that a
+  // hit on the box's own surface is never lost.
+  bool meets(Interval range, const Aabb& box) const {
+    constexpr double kWider = 4 * std::numeric_limits<double>::epsilon();
+    for (int axis = 0; axis < 3; ++axis) {
+      // For a ray along the box's side zero times infinity is not a number; such a depth limits nothing.
+      const bool backward = std::signbit(inverse_[axis]);
+      const double near = ((backward ? box.hi : box.lo)[axis] - origin_[axis]) * inverse_[axis];
+      const double far = ((backward ? box.lo : box.hi)[axis] - origin_[axis]) * inverse_[axis];
+      range.lo = std::max(range.lo, near * (near > 0 ? 1 - kWider : 1 + kWider));
+      range.hi = std::min(range.hi, far * (far > 0 ? 1 + kWider : 1 - kWider));
+    }
+    return range.lo <= range.hi;
+  }
+
+ private:
+  dvec3 origin_, inverse_;
+};
+
+inline bool meets_box(const Ray& ray, Interval range, const Aabb& box) { return BoxTest(ray).meets(range, box); }
 
 bool inside_all(const SharedSolids& solids, const dvec3& point);
 
 // True if the ray meets or starts inside every bound.
 bool meets_all(const SharedSolids& bounds, const Ray& ray);
 
-// Limits `box` by clips, then lets the bounds' boxes replace it where they are smaller. True if they did.
-bool limit_box(Aabb& box, const SharedSolids& clips, const SharedSolids& bounds);
+// Around the points of `region` that are inside all of them.
+Aabb inside_all_within(const SharedSolids& solids, Aabb region);
+
+// Lets the boxes of the bounds replace `box` where they are smaller. True if they did.
+bool limit_box(Aabb& box, const SharedSolids& bounds);
 
 }  // namespace lute

@@ -21,10 +21,11 @@ class ChildTree {
   template <class Visit>
   void along(const Ray& ray, Interval range, Visit&& visit) const {
     std::uint64_t box_tests = 0;
+    const BoxTest boxes(ray);
     double far = range.hi;
     bool done = false;
     const auto try_child = [&](std::uint32_t child) {
-      if (!done && meets_box(ray, {range.lo, far}, ray_boxes_[child])) done = visit(child, far);
+      if (!done && boxes.meets({range.lo, far}, ray_boxes_[child])) done = visit(child, far);
     };
     for (const std::uint32_t child : everywhere_) try_child(child);
     if (done || tree_.empty()) return;

@@ -17,29 +17,48 @@ CsgSolid::CsgSolid(CsgKind kind, Children children, SharedSolids clips, SharedSo
 }
 
 ChildTree CsgSolid::set_boxes() {
+  // A hit lies on one child and inside all others, so no child needs to be tried outside what the others leave. What one child
+  // bounds may bound another: a cone by the planes across it.
+  constexpr int kRounds = 4;
+  const Aabb clipped = inside_all_within(clips_, Aabb::infinite());
+  inside_box = clipped;
+  for (int round = 0; round < kRounds; ++round) {
+    const Aabb before = inside_box;
+    inside_box = inside_within(before);
+    if (!all_children_needed() || (before.lo == inside_box.lo && before.hi == inside_box.hi)) break;
+  }
   std::vector<Aabb> ray_boxes, all_boxes;
-  Aabb surface;  // of all children
+  box = Aabb();
   for (const auto& child : children_) {
-    surface.join(child->box);
-    ray_boxes.push_back(child->box);
-    all_boxes.push_back(child->box);
-    all_boxes.back().join(child->inside_box);
+    const Aabb region = all_children_needed() ? inside_box : clipped;
+    ray_boxes.push_back(child->hits_within(region));
+    box.join(ray_boxes.back());
+    all_boxes.push_back(ray_boxes.back());
+    // The inside tests of an intersection ask every child.
+    if (!all_children_needed()) all_boxes.back().join(child->inside_box);
   }
-  if (all_children_needed() && !children_.empty()) {
-    inside_box = Aabb::infinite();
-    for (const auto& child : children_) inside_box = inside_box.intersection(child->inside_box);
-    surface = surface.intersection(inside_box);
-    // A hit lies on one child and inside all others, so no child needs to be tried outside this box.
-    for (Aabb& ray_box : ray_boxes) ray_box = ray_box.intersection(inside_box);
-    all_boxes = ray_boxes;  // its inside tests ask every child
-  } else {
-    inside_box = Aabb();
-    for (const auto& child : children_) inside_box.join(child->inside_box);
-  }
-  box = surface;
-  box_cuts_ = limit_box(box, clips_, bounds_);
-  for (const auto& clip : clips_) inside_box = inside_box.intersection(clip->inside_box);
+  box_cuts_ = limit_box(box, bounds_);
   return ChildTree(std::move(ray_boxes), all_boxes);
+}
+
+Aabb CsgSolid::hits_within(const Aabb& region) const {
+  const Aabb limits = (all_children_needed() ? inside_within(region) : region).intersection(box);
+  Aabb result;
+  for (const auto& child : children_) result.join(child->hits_within(limits));
+  return result.intersection(limits);
+}
+
+Aabb CsgSolid::inside_within(const Aabb& region) const {
+  const Aabb limits = inside_all_within(clips_, region.intersection(inside_box));
+  Aabb result = all_children_needed() ? limits : Aabb();
+  for (const auto& child : children_) {
+    if (all_children_needed()) {
+      result = child->inside_within(result);
+    } else {
+      result.join(child->inside_within(limits));
+    }
+  }
+  return result;
 }
 
 // The flags of the children of an intersection have no effect; those of a union and a merge partly (§6.1): a child's no_shadow

@@ -41,6 +41,8 @@ class CsgSolid final : public Solid {
   bool inside(const dvec3& point) const override;
   bool plain_inside(const dvec3& point) const override;
   void leaves(std::vector<const Leaf*>& out) const override;
+  Aabb hits_within(const Aabb& region) const override;
+  Aabb inside_within(const Aabb& region) const override;
 
   // The textures of an untextured surface point under cutaway_textures (§6.5). Appends nothing where the surface is black.
   void cutaway_shares(const dvec3& point, CutawayShares& out) const;

@@ -27,10 +27,10 @@ LeafSolid::LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips, SharedSolid
       inverted_(leaf_->inverted) {
   if (!shape_->inverse_turns_normal()) leaf_->inverted = false;
   opaque = leaf_->opaque;
-  box = shape_->bounds();
-  box_cuts_ = limit_box(box, clips_, bounds_);
-  inside_box = inverted_ ? Aabb::infinite() : widened(shape_->inside_bounds());
-  for (const auto& clip : clips_) inside_box = inside_box.intersection(clip->inside_box);
+  const Aabb clipped = inside_all_within(clips_, Aabb::infinite());
+  box = clips_.empty() ? shape_->bounds() : widened(shape_->surface_within(clipped)).intersection(clipped);
+  box_cuts_ = limit_box(box, bounds_);
+  inside_box = inside_within(clipped);
   if (!shape_->obeys_clips()) clips_.clear();
   if (bound_test == BoundTest::kBoxOnly) bounds_.clear();
   plain_ = clips_.empty() && bounds_.empty() && !box_cuts_;
@@ -70,6 +70,16 @@ bool LeafSolid::inside(const dvec3& point) const { return plain_inside(point) &&
 bool LeafSolid::plain_inside(const dvec3& point) const {
   if (shape_->is_patch()) return false;
   return inverted_ ? shape_->inside_inverted(point) : shape_->inside(point);
+}
+
+Aabb LeafSolid::hits_within(const Aabb& region) const {
+  const Aabb limits = region.intersection(box);
+  return widened(shape_->surface_within(limits)).intersection(limits);
+}
+
+Aabb LeafSolid::inside_within(const Aabb& region) const {
+  const Aabb limits = region.intersection(inside_box);
+  return widened(shape_->inside_within(inside_all_within(clips_, limits), inverted_)).intersection(limits);
 }
 
 void LeafSolid::leaves(std::vector<const Leaf*>& out) const { out.push_back(leaf_.get()); }

@@ -34,6 +34,8 @@ class LeafSolid final : public Solid {
   bool inside(const dvec3& point) const override;
   bool plain_inside(const dvec3& point) const override;
   void leaves(std::vector<const Leaf*>& out) const override;
+  Aabb hits_within(const Aabb& region) const override;
+  Aabb inside_within(const Aabb& region) const override;
 
  private:
   std::unique_ptr<Leaf> leaf_;

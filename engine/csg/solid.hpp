@@ -73,6 +73,10 @@ class Solid {
   virtual bool plain_inside(const dvec3& point) const = 0;  // without own clips: camera containment, cutaway
   virtual void leaves(std::vector<const Leaf*>& out) const = 0;
 
+  // Boxes around the hits and around the points accepted by inside() that lie in `region`; within `box` and `inside_box`.
+  virtual Aabb hits_within(const Aabb& region) const = 0;
+  virtual Aabb inside_within(const Aabb& region) const = 0;
+
   Visibility visibility;
   bool opaque = false;  // every leaf is opaque
   Aabb box;             // around every hit: bounds after CSG rules, clips and bounded_by

@@ -41,6 +41,27 @@ class HalfSpace final : public ScannedShape<HalfSpace> {
     }
     return box;
   }
+  Aabb surface_within(const Aabb& region) const override { return inside_within(inside_within(region, false), true); }
+  // n·p ≤ d limits a coordinate where the region limits the others.
+  Aabb inside_within(const Aabb& region, bool inverted) const override {
+    const dvec3 n = inverted ? -normal_ : normal_;
+    const auto least = [&](int k) {
+      const double side = n[k] > 0 ? region.lo[k] : region.hi[k];
+      return std::abs(n[k]) <= kEpsilon && !std::isfinite(side) ? 0 : n[k] * side;
+    };
+    Aabb box = region;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(n[axis]) <= kEpsilon) continue;
+      const double rest = least((axis + 1) % 3) + least((axis + 2) % 3);
+      const double limit = ((inverted ? -distance_ : distance_) - rest) / n[axis];
+      if (n[axis] > 0) {
+        box.hi[axis] = std::min(box.hi[axis], limit);
+      } else {
+        box.lo[axis] = std::max(box.lo[axis], limit);
+      }
+    }
+    return box;
+  }
   bool inside(const dvec3& point) const override { return height(point) < tolerance_; }
   bool inside_inverted(const dvec3& point) const override { return -height(point) < tolerance_; }
   dvec3 normal(const ShapeHit&, const dvec3&) const override { return normal_; }

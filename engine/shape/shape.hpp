@@ -48,6 +48,13 @@ class Shape {
   // Box around the points that inside() accepts, where that differs: the half space behind a disc or a plane.
   virtual Aabb inside_bounds() const { return bounds(); }
 
+  // Boxes that hold the part of the surface, and of the points which inside() or inside_inverted() accepts, that lies in `region`.
+  // A shape without bounds may have some here: a cone between two planes.
+  virtual Aabb surface_within(const Aabb& region) const { return region.intersection(bounds()); }
+  virtual Aabb inside_within(const Aabb& region, bool inverted) const {
+    return inverted ? region : region.intersection(inside_bounds());
+  }
+
   // Appends all hits with depth in `range`, and above the shape's own tolerance.
   virtual void hits(const Ray& ray, Interval range, ShapeHits& out) const = 0;
 

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "engine/shape/box.hpp"
 #include "engine/shape/cylinder.hpp"
 #include "engine/shape/plane.hpp"
+#include "engine/shape/quadric.hpp"
 #include "engine/shape/sphere.hpp"
 
 namespace lute {
@@ -100,6 +102,22 @@ TEST(Csg, IntersectionBoxIsThatOfItsUprightChildren) {
 }
 
 // Check case 17: what a child's no_image hides.
+// x² - y² + z² = 1 between y = -2 and 1 reaches √5 at the lower end; bevelled boards are bounded by each other.
+TEST(Csg, PlanesBoundQuadricsAndEachOther) {
+  const auto vase = combine(CsgKind::kIntersection, leaf(Quadric{{1, -1, 1}, {0, 0, 0}, {0, 0, 0}, -1}, kRed),
+                            leaf(Plane{{0, 1, 0}, 1}, kGreen), leaf(Plane{{0, -1, 0}, 2}, kGreen));
+  EXPECT_NEAR(vase->box.hi.x, std::sqrt(5.0), 1e-6);
+  EXPECT_NEAR(vase->box.lo.z, -std::sqrt(5.0), 1e-6);
+  EXPECT_NEAR(vase->box.lo.y, -2, 1e-6);
+  EXPECT_NEAR(vase->box.hi.y, 1, 1e-6);
+
+  const auto board = combine(CsgKind::kIntersection, leaf(Plane{{0, 1, 0}, -.15}, kRed), leaf(Plane{{0, -1, 0}, 3}, kRed),
+                             leaf(Plane{{0, 0, -1}, 35}, kRed), leaf(Plane{{-1, 0, 1}, 0}, kRed), leaf(Plane{{1, 0, 1}, 0}, kRed));
+  EXPECT_NEAR(board->box.lo.x, -35, 1e-6);
+  EXPECT_NEAR(board->box.hi.x, 35, 1e-6);
+  EXPECT_TRUE(board->box.is_finite());
+}
+
 TEST(Csg, NoImageOfAChild) {
   for (const CsgKind kind : {CsgKind::kUnion, CsgKind::kMerge, CsgKind::kIntersection}) {
     auto marked = leaf(Sphere{dvec3(0), .7}, kRed);

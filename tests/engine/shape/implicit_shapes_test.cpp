@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
+
+#include <glm/common.hpp>
 
 #include "engine/shape/blob.hpp"
 #include "engine/shape/poly.hpp"
@@ -171,6 +174,38 @@ TEST(Quadric, RotatedCylinderStaysUnbounded) {
     const auto cylinder = make(Quadric{{s * s, c * c, 1}, {2 * s * c, 0, 0}, {0, 0, 0}, -1});
     EXPECT_EQ(cylinder->bounds().lo.x, Aabb::infinite().lo.x) << degrees;
   }
+}
+
+// Whatever the quadric and however it is turned, what lies inside it and in the region lies in the box.
+TEST(Quadric, BoxWithinARegionLosesNothing) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto any = [&] { return dvec3(unit(random), unit(random), unit(random)); };
+  const double inf = std::numeric_limits<double>::infinity();
+  int inside = 0, narrowed = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Quadric description{any(), i % 2 == 0 ? dvec3(0) : any(), i % 3 == 0 ? dvec3(0) : any(), unit(random)};
+    const auto quadric = make(description, Transform::rotate(90.0 * glm::floor(2.0 * any())).then(Transform::translate(any())));
+    Aabb region = Aabb::infinite();
+    for (int axis = 0; axis < 3; ++axis) {
+      if (unit(random) < 0) continue;
+      region.lo[axis] = -1 + unit(random);
+      region.hi[axis] = unit(random) < 0 ? inf : 1 + unit(random);
+    }
+    const Aabb box = quadric->inside_within(region, false);
+    narrowed += box.lo != region.lo || box.hi != region.hi;
+    for (int k = 0; k < 200; ++k) {
+      const dvec3 p = 4.0 * any();
+      if (!region.contains(p) || !quadric->inside(p)) continue;
+      ++inside;
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_GE(p[axis], box.lo[axis] - 1e-9) << i;
+        EXPECT_LE(p[axis], box.hi[axis] + 1e-9) << i;
+      }
+    }
+  }
+  EXPECT_GT(inside, 1000);
+  EXPECT_GT(narrowed, 50);
 }
 
 TEST(Quadric, TransformedEllipsoidHasTightBounds) {

@@ -192,9 +192,10 @@ void spheres(benchmark::State& state, bool shadow) {
   }
   const SceneTree scene(solids);
   Counters counters;
+  LastBlocker last;
   run(state, kPrimary, [&](const Ray& ray) {
     Hit hit;
-    return shadow ? scene.any_opaque(ray, {1e-3, 1e7}, counters)
+    return shadow ? scene.obstruction(ray, {1e-3, 1e7}, last, counters) == Obstruction::kOpaque
                   : scene.nearest(ray, {1e-4, 1e7}, RayKind(), hit, counters);
   });
   const double traced = static_cast<double>(state.iterations()) * static_cast<double>(rays(kPrimary).size());

@@ -1,5 +1,5 @@
 // All solids of a scene, ready for rays. Unbounded solids stand in a list of their own and are asked first; the others
-// are in a Bvh.
+// are in a Bvh, or in the list too where they are only a few.
 //
 // Of hits at exactly equal depth, that on a solid which the reference calls infinite wins (its box is unbounded or
 // larger than 2e10 cubic units), then the one declared first (specification chapter 20 §1, §2.3).
@@ -15,6 +15,16 @@
 
 namespace lute {
 
+// What stands in the way of light.
+enum class Obstruction : std::uint8_t { kNone, kFilter, kOpaque };
+
+// The solid that last stood between a light and some point, asked first for the next point: neighbours have the same
+// blocker more often than not. Whether a ray is blocked does not depend on who is asked first.
+struct LastBlocker {
+  const Solid* solid = nullptr;
+  int misses = 0;  // since it last blocked
+};
+
 class SceneTree {
  public:
   // In scene order. The solids must outlive the tree, and keep their visibility.
@@ -25,8 +35,8 @@ class SceneTree {
   // The nearest hit on a solid that casts shadows.
   bool nearest_shadow(const Ray& ray, Interval range, Hit& hit, Counters& counters) const;
 
-  // True if an opaque solid that casts shadows is hit anywhere in `range`.
-  bool any_opaque(const Ray& ray, Interval range, Counters& counters) const;
+  // kOpaque if an opaque solid that casts shadows is hit anywhere in `range`, else kFilter if any other one is.
+  Obstruction obstruction(const Ray& ray, Interval range, LastBlocker& last, Counters& counters) const;
 
  private:
   struct Entry {
@@ -35,10 +45,21 @@ class SceneTree {
     Visibility visibility;  // the solid's own, here so that solids that are left out need not be looked at
     bool blocks;            // casts shadows and is opaque
   };
+  struct Listed {
+    Entry entry;
+    Aabb box;
+    bool boxed;  // the box is worth a test: it is bounded, and the solid costs more than it
+  };
   struct Best;
 
-  std::vector<Entry> unbounded_, bounded_;  // bounded_ in the order of the tree's leaves
+  template <class Visit>
+  void go_through_list(const Ray& ray, Interval range, Visit&& visit) const;
+  bool blocks(const Entry& entry, const Ray& ray, Interval range, LastBlocker& last, bool& filters, Counters& counters) const;
+
+  std::vector<Listed> listed_;
+  std::vector<Entry> bounded_;  // in the order of the tree's leaves
   Bvh bvh_;
+  bool any_boxed_ = false;  // in the list
 };
 
 }  // namespace lute

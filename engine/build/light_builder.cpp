@@ -20,6 +20,7 @@ void SceneBuilder::add_light(const LightSource& light, const Object&, const Cont
     built->projected_through = solid(*light.projected_through, resolve(*light.projected_through, parent), false);
     geometry_only_ = false;
   }
+  built->number = built_.lights.size();
   if (own.group_member && own.light_group >= 0)
     built_.light_groups[static_cast<std::size_t>(own.light_group)].lights.push_back(built.get());
   else

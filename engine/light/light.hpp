@@ -32,6 +32,7 @@ struct BuiltLight {
   bool media_attenuation = false, media_interaction = true;
   std::unique_ptr<Solid> projected_through;  // null: none
   SourceLocation where;
+  std::size_t number = 0;  // among the lights of the scene
 
   bool casts_shadows() const { return kind != LightKind::kShadowless; }
   bool has_highlights() const { return kind != LightKind::kShadowless; }

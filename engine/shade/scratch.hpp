@@ -1,9 +1,11 @@
 // Memory of one thread that shading uses again and again: stacks that grow to the need of the deepest ray and stay.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "engine/accel/scene_tree.hpp"
 #include "engine/csg/csg_solid.hpp"
 #include "engine/light/light.hpp"
 #include "engine/scene/finish.hpp"
@@ -34,6 +36,8 @@ struct TraceScratch {
   std::vector<TextureWeight> weights;
   CsgSolid::CutawayShares shares;
   std::vector<const BuiltInterior*> interiors;
+  // Of each light two: for what the camera sees directly, and for what is seen in mirrors and through glass.
+  std::vector<std::array<LastBlocker, 2>> last_blockers;
 };
 
 // A piece of a stack, given back when the scope ends. Address elements by index only: the stack may move.

@@ -44,7 +44,9 @@ struct TextureSpace {
 class Shader {
  public:
   Shader(const BuiltScene& scene, const RenderPlan& plan, TraceContext& context)
-      : scene_(scene), plan_(plan), settings_(scene.settings), context_(context), scratch_(*context.scratch) {}
+      : scene_(scene), plan_(plan), settings_(scene.settings), context_(context), scratch_(*context.scratch) {
+    scratch_.last_blockers.resize(scene.lights.size());
+  }
 
   Color trace(const TracedRay& ray, float weight);
 

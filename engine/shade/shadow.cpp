@@ -1,7 +1,7 @@
 // What stands between a point and a light (§11).
 //
 // The reference keeps the last opaque blocker of each light and tries it first, without the margins of §11 step 1. That makes an
-// image depend on the order of its pixels; it is left out here.
+// image depend on the order of its pixels; here the margins are kept, so that the order only saves time.
 #include <cmath>
 
 #include "engine/shade/fog.hpp"
@@ -32,8 +32,13 @@ Rgb Shader::shadowed(const Surface& surface, const BuiltLight& light, const Ligh
   if (reach <= kShadowTolerance && !fog) return color;
   ++context_.counters.shadow_rays;
   const Ray ray{surface.hit.point, path.direction};
-  if (scene_.tree->any_opaque(ray, {kShadowTolerance, reach}, context_.counters)) return Rgb(0.0f);
-  return plan_.filtered_shadows || fog ? filtered(surface, light, path, reach, color) : color;
+  LastBlocker& last = scratch_.last_blockers[light.number][level_ > 1 ? 1 : 0];
+  switch (scene_.tree->obstruction(ray, {kShadowTolerance, reach}, last, context_.counters)) {
+    case Obstruction::kOpaque: return Rgb(0.0f);
+    case Obstruction::kFilter: return filtered(surface, light, path, reach, color);
+    case Obstruction::kNone: break;
+  }
+  return fog ? filtered(surface, light, path, reach, color) : color;
 }
 
 // §11.5: only what is nearer than the projection's surface can cast a shadow. False: the ray misses it, so no light comes.

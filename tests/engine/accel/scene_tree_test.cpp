@@ -18,19 +18,19 @@ class NoSharing final : public BuildContext {
   void store_shared(const void*, std::shared_ptr<const void>) override {}
 };
 
-std::unique_ptr<Solid> sphere(const dvec3& center, double radius) {
+std::unique_ptr<Solid> sphere(const dvec3& center, double radius, bool opaque = true) {
   NoSharing context;
   auto leaf = std::make_unique<Leaf>();
   leaf->shape = build(Sphere{center, radius}, Transform(), context);
-  leaf->opaque = true;
+  leaf->opaque = opaque;
   return std::make_unique<LeafSolid>(std::move(leaf));
 }
 
 struct Spheres {
   std::vector<std::unique_ptr<Solid>> owned;
   std::vector<const Solid*> solids;
-  void add(const dvec3& center, double radius) {
-    owned.push_back(sphere(center, radius));
+  void add(const dvec3& center, double radius, bool opaque = true) {
+    owned.push_back(sphere(center, radius, opaque));
     solids.push_back(owned.back().get());
   }
 };
@@ -56,6 +56,7 @@ TEST(SceneTree, FindsWhatAskingEverySolidFinds) {
       spheres.add(scale * dvec3(unit(random), unit(random), unit(random)), scale * 0.05 * (1.1 + unit(random)));
     const SceneTree tree(spheres.solids);
     Counters counters;
+    LastBlocker last;
     int hits = 0;
     for (int i = 0; i < 3000; ++i) {
       const dvec3 origin = 2 * scale * dvec3(unit(random), unit(random), unit(random));
@@ -65,13 +66,42 @@ TEST(SceneTree, FindsWhatAskingEverySolidFinds) {
       Hit expected, actual;
       const bool found = nearest_of_all(spheres, ray, range, expected);
       ASSERT_EQ(tree.nearest(ray, range, RayKind(), actual, counters), found);
-      EXPECT_EQ(tree.any_opaque(ray, range, counters), found);
+      EXPECT_EQ(tree.obstruction(ray, range, last, counters), found ? Obstruction::kOpaque : Obstruction::kNone);
       if (!found) continue;
       ++hits;
       EXPECT_EQ(actual.t, expected.t);
       EXPECT_EQ(actual.leaf, expected.leaf);
     }
     EXPECT_GT(hits, 300);  // the comparison has met something
+  }
+}
+
+// Few solids stand in a list, many in a tree; the last blocker is remembered between the rays.
+TEST(SceneTree, ObstructionIsThatOfAskingEverySolid) {
+  for (const int count : {4, 60}) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    Spheres spheres;
+    for (int i = 0; i < count; ++i) {
+      spheres.add({unit(random), unit(random), unit(random)}, count > 10 ? 0.1 : 0.4, i % 2 == 0);
+      spheres.owned.back()->visibility.no_shadow = i % 4 > 1;
+    }
+    const SceneTree tree(spheres.solids);
+    Counters counters;
+    LastBlocker last;
+    int seen[3] = {};
+    for (int i = 0; i < 3000; ++i) {
+      const Ray ray{{unit(random), unit(random), -3}, {0, 0, 1}};
+      const Interval range{1e-3, 3 + unit(random)};
+      Obstruction expected = Obstruction::kNone;
+      for (const Solid* solid : spheres.solids) {
+        if (solid->visibility.no_shadow || !solid->any(ray, range, RayKind())) continue;
+        expected = std::max(expected, solid->opaque ? Obstruction::kOpaque : Obstruction::kFilter);
+      }
+      ++seen[static_cast<int>(expected)];
+      ASSERT_EQ(tree.obstruction(ray, range, last, counters), expected) << count << ' ' << i;
+    }
+    for (const int times : seen) EXPECT_GT(times, 100);
   }
 }
 

@@ -34,6 +34,7 @@ struct RenderPlan {
   bool rainbow = false;
   bool light_groups = false;
   bool uv_patterns = false;       // some texture asks for surface coordinates
+  bool interiors = false;         // what a ray begins in matters: it may leave it, fade in it, or find fog
   bool volume_effects = false;    // fog, rainbow or media: rays have to know whether they are hollow
 
   std::vector<PlanItem> items;

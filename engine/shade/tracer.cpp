@@ -18,6 +18,7 @@ Color Tracer::trace(const Ray& camera_ray, TraceContext& context) const {
 }
 
 InteriorList Tracer::interiors_at(const dvec3& point) const {
+  if (!plan_.interiors) return {};
   std::vector<const BuiltInterior*> found;
   scene_.interiors_at(point, found);
   InteriorList list;

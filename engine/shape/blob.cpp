@@ -15,7 +15,7 @@ namespace lute {
 
 namespace {
 
-constexpr double kNearest = 1e-2;
+constexpr double kNearest = 1e-2;        // in world units; for blobs smaller than 1, in their size
 constexpr double kInsideTolerance = 1e-6;
 
 // A piece of a component, in a space where its radius is 1 and, of the pieces of a cylinder, the axis is z from 0 to 1.
@@ -98,6 +98,8 @@ class BlobSurface final : public ScannedShape<BlobSurface> {
  public:
   BlobSurface(const Blob& blob, const Transform& to_world) : threshold_(blob.threshold), mixes_(blob.mixes_textures()) {
     for (std::uint32_t i = 0; i < blob.components.size(); ++i) add_component(blob.components[i], i, to_world);
+    const Aabb box = bounds();
+    if (!box.empty()) nearest_ = kNearest * std::min(1.0, std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z}));
     constexpr std::size_t kFewest = 12;  // below, a tree costs more than it saves
     if (elements_.size() < kFewest) return;
     std::vector<Aabb> boxes;
@@ -107,7 +109,7 @@ class BlobSurface final : public ScannedShape<BlobSurface> {
 
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
-    range.lo = std::max(range.lo, kNearest);
+    range.lo = std::max(range.lo, nearest_);
     thread_local std::vector<Stretch> stretches;
     thread_local std::vector<double> ends;
     stretches.clear();
@@ -136,7 +138,7 @@ class BlobSurface final : public ScannedShape<BlobSurface> {
         const double t = lo + root;
         if (t <= last) continue;  // a root at a joint belongs to both sides
         last = t;
-        if (t > kNearest && sink(t, 0)) return;
+        if (t > nearest_ && sink(t, 0)) return;
       }
     }
   }
@@ -257,6 +259,7 @@ class BlobSurface final : public ScannedShape<BlobSurface> {
   }
 
   double threshold_;
+  double nearest_ = kNearest;
   bool mixes_;
   std::vector<Element> elements_;
   Bvh tree_;  // empty for few elements

@@ -7,6 +7,7 @@
 #include "engine/math/aabb.hpp"
 #include "engine/math/interval.hpp"
 #include "engine/math/ray.hpp"
+#include "engine/math/transform.hpp"
 
 namespace lute {
 
@@ -29,5 +30,9 @@ struct Container {
 
   dvec3 normal(std::uint32_t face, const dvec3& p) const;  // outward
 };
+
+// An accuracy that is a length along the ray in world units, as the reference has it. Where it is not small beside the container, as after
+// scaling a shape down to 1e-6, it counts in the shape's own units.
+double depth_accuracy(double accuracy, const Container& container, const Transform& to_world);
 
 }  // namespace lute

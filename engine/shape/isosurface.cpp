@@ -15,14 +15,14 @@ enum Part : std::uint32_t { kSurface, kFirstFace };
 
 class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
  public:
-  ImplicitSurface(const Isosurface& iso, const Transform& to_world) : iso_(iso), to_world_(to_world) {}
+  ImplicitSurface(const Isosurface& iso, const Transform& to_world) : iso_(iso), accuracy_(depth_accuracy(iso.accuracy, iso.container, to_world)), to_world_(to_world) {}
 
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
     const Ray local = to_world_.inverse_ray(ray);
     Container::Passage passage;
     if (!iso_.container.cross(local, passage) || passage.depths.hi < 0) return;
-    const double accuracy = iso_.accuracy;
+    const double accuracy = accuracy_;
     double begin = std::max(0.0, passage.depths.lo);
     const double end = passage.depths.hi;
     Search search{*this, local, glm::length(local.direction), iso_.max_gradient, 1};
@@ -99,7 +99,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
 
     // f1 and f2 are the values at both ends; m bounds how much the function can change between them.
     bool bisect(double t1, double f1, double f2, double width, double m, double& root) {
-      if (width < surface.iso_.accuracy) {
+      if (width < surface.accuracy_) {
         if (!(f2 < 0)) return false;
         root = t1 + width;
         return true;
@@ -122,6 +122,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
   double value(const dvec3& p) const { return iso_.function->at(p) - iso_.threshold; }
 
   Isosurface iso_;
+  double accuracy_;  // along the ray
   Transform to_world_;
 };
 

@@ -23,14 +23,14 @@ Interval edge_bounds(double p, double q, double slope_bound) {
 // A hit keeps (u, v).
 class ParametricSurface final : public ScannedShape<ParametricSurface> {
  public:
-  ParametricSurface(const Parametric& parametric, const Transform& to_world) : p_(parametric), to_world_(to_world) {}
+  ParametricSurface(const Parametric& parametric, const Transform& to_world) : p_(parametric), depth_accuracy_(depth_accuracy(parametric.accuracy, parametric.container, to_world)), to_world_(to_world) {}
 
   template <class Sink>
   void scan(const Ray& ray, Interval, Sink&& sink) const {
     const Ray local = to_world_.inverse_ray(ray);
     Container::Passage passage;
     if (!p_.container.cross(local, passage) || passage.depths.hi < 0) return;
-    Interval depths{std::max(0.0, passage.depths.lo) + 4 * p_.accuracy, passage.depths.hi};
+    Interval depths{std::max(0.0, passage.depths.lo) + 4 * depth_accuracy_, passage.depths.hi};
     if (depths.empty()) return;
     double best = std::numeric_limits<double>::infinity();
     dvec2 best_uv(0);
@@ -42,7 +42,7 @@ class ParametricSurface final : public ScannedShape<ParametricSurface> {
       double candidate = 0;
       if (!meets(local, r, depths, best, longest, candidate)) continue;
       const dvec2 side = r.hi - r.lo;
-      if (std::min(std::max(side.x, side.y), longest) < p_.accuracy) {
+      if (std::max(side.x, side.y) < p_.accuracy || longest < depth_accuracy_) {
         if (depths.lo < candidate && candidate < best) {
           best = candidate;
           best_uv = r.lo;
@@ -115,6 +115,7 @@ class ParametricSurface final : public ScannedShape<ParametricSurface> {
   }
 
   Parametric p_;
+  double depth_accuracy_;
   Transform to_world_;
 };
 

@@ -60,9 +60,12 @@ Terms bernstein(std::span<const double> c, Interval over) {
 
 struct Signs {
   bool certain = true;  // all of them
-  bool any = false;     // at least one is certain
+  bool any = false;     // at least one, by a margin that is worth a division
   int changes = 0;
 };
+
+// A coefficient this many times its error is clear. Less clear ones make a cluster: dividing them on and on tells nothing new.
+constexpr double kClear = 16;
 
 Signs signs_of(const Terms& b, std::size_t degree) {
   Signs signs;
@@ -73,7 +76,7 @@ Signs signs_of(const Terms& b, std::size_t degree) {
       signs.certain = false;
       continue;
     }
-    signs.any = true;
+    signs.any |= std::abs(b[i].value) > kClear * b[i].error;
     if (last != 0 && sign != last) ++signs.changes;
     last = sign;
   }
@@ -102,7 +105,7 @@ class Isolation {
     if (signs.certain && signs.changes == 0) return close_cluster();
     if (signs.certain && signs.changes == 1) {
       close_cluster();
-      add_root(bracketed(c_, lo, hi));
+      if (const double root = bracketed(c_, lo, hi); root > covered_) add_root(root);
       return;
     }
     constexpr int kDeepest = 120;
@@ -125,25 +128,46 @@ class Isolation {
     cluster_.hi = hi;
   }
 
+  // The roots of a cluster count as one, if there are any: where the sign changes from one side to the other, or where the polynomial has an
+  // extremum that cannot be told from zero.
   void close_cluster() {
     if (cluster_.empty()) return;
     const Interval cluster = cluster_;
     cluster_ = kNoCluster;
-    // Where the m-th derivative is not zero there are at most m roots, and the derivative before it is zero in their midst.
-    const double margin = std::max(cluster.hi - cluster.lo, std::numeric_limits<double>::epsilon() * std::max(std::abs(cluster.lo), std::abs(cluster.hi)));
-    const Interval around{std::max(range_.lo, cluster.lo - margin), std::min(range_.hi, cluster.hi + margin)};
+    if (cluster.hi <= covered_) return;
+    // Grow it until the signs on both sides are certain. What lies inside belongs to the cluster, also a root found before.
+    double margin = std::max(cluster.hi - cluster.lo, 4 * kRounding * std::max(std::abs(cluster.lo), std::abs(cluster.hi)));
+    Interval around = cluster;
+    int sign_lo = 0, sign_hi = 0;
+    for (; (sign_lo == 0 && around.lo > range_.lo) || (sign_hi == 0 && around.hi < range_.hi); margin *= 2) {
+      if (sign_lo == 0) around.lo = std::max(range_.lo, around.lo - margin);
+      if (sign_hi == 0) around.hi = std::min(range_.hi, around.hi + margin);
+      sign_lo = value(c_, around.lo).sign();
+      sign_hi = value(c_, around.hi).sign();
+    }
+    covered_ = around.hi;
+    if (found_.count > 0 && found_.t[found_.count - 1] >= around.lo) return;
+    if (sign_lo == 0) return add_root(around.lo);
+    if (sign_hi == 0) return add_root(around.hi);
+    const double root = midst(around);
+    if (sign_lo == sign_hi && value(c_, root).sign() != 0) return;
+    add_root(root);
+  }
+
+  // Where the m-th derivative is not zero there are at most m roots, and the derivative before it is zero in their midst.
+  double midst(Interval around) const {
     std::array<double, kMaxTerms> derivative;
     std::copy(c_.begin(), c_.end(), derivative.begin());
-    double root = 0.5 * (cluster.lo + cluster.hi);
+    double root = 0.5 * (around.lo + around.hi);
     for (std::size_t degree = degree_; degree >= 1; --degree) {
       const std::span<const double> terms(derivative.data(), degree + 1);
-      const double at_lo = value(terms, around.lo), at_hi = value(terms, around.hi);
+      const double at_lo = value(terms, around.lo).value, at_hi = value(terms, around.hi).value;
       if ((at_lo < 0 && at_hi > 0) || (at_lo > 0 && at_hi < 0)) root = bracketed(terms, around.lo, around.hi);
       for (std::size_t i = 0; i < degree; ++i) derivative[i] = static_cast<double>(i + 1) * derivative[i + 1];
       const Signs signs = signs_of(bernstein({derivative.data(), degree}, around), degree - 1);
       if (signs.certain && signs.changes == 0) break;
     }
-    add_root(std::clamp(root, cluster.lo, cluster.hi));
+    return root;
   }
 
   void add_root(double t) {
@@ -152,15 +176,19 @@ class Isolation {
 
   // ---- values ----
 
-  static double value(std::span<const double> c, double t) {
-    double f = 0;
-    for (std::size_t i = c.size(); i-- > 0;) f = f * t + c[i];
-    return f;
+  // Horner's rule, with a bound of its error.
+  static Bounded value(std::span<const double> c, double t) {
+    double f = 0, size = 0;
+    for (std::size_t i = c.size(); i-- > 0;) {
+      f = f * t + c[i];
+      size = size * std::abs(t) + std::abs(c[i]);
+    }
+    return {f, 2 * static_cast<double>(c.size()) * kRounding * size};
   }
 
   // The root between lo and hi, where the values have opposite signs and there is one root: Newton's method inside its bracket.
   static double bracketed(std::span<const double> c, double lo, double hi) {
-    const bool rising = value(c, lo) < 0;
+    const bool rising = value(c, lo).value < 0;
     double t = 0.5 * (lo + hi);
     for (int step = 0; step < 200; ++step) {
       double f = 0, slope = 0;
@@ -184,6 +212,7 @@ class Isolation {
   std::size_t degree_;
   Interval range_;
   Interval cluster_ = kNoCluster;
+  double covered_ = -std::numeric_limits<double>::infinity();  // end of the last cluster
   Roots<kMaxPolynomialDegree> found_;
 };
 

@@ -3,10 +3,10 @@
 //   poly { 2, <1, 0, 0, 0, 1, 0, 0, 1, 0, -1> pigment { rgb 1 } }
 //
 // order: 2 to 35; numbers: (order+1)(order+2)(order+3)/6 coefficients of x^i y^j z^k, by descending i, then j, then k. All four
-// statements make one description. `sturm` is accepted and changes nothing.
+// statements make one description. `sturm`: the certified solver also for orders 3 and 4.
 //
 // The polynomial along the ray is expanded by Horner's rule about the point nearest to the origin of the shape's space and solved on
-// its monotone stretches (engine/math/polynomial.hpp): triple roots are seen. Inside: value below 1e-4 in the shape's own space.
+// its monotone stretches (engine/math/polynomial.hpp), above order 4 by the certified solver (engine/math/certified_roots.hpp). Inside: value below 1e-4 in the shape's own space.
 // The surface has no bounds of its own.
 // Source: specification chapter 20 §5.8.
 #pragma once

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace lute {
 namespace {
@@ -142,7 +141,7 @@ bool spherical(const View& view, const ImagePoint& p, ProjectedRay& ray) {
   return true;
 }
 
-// In the order of CameraKind.
+// In the order of CameraKind; kMesh is last and has none.
 constexpr std::array<Project, 11> kProjections{perspective, orthographic, fisheye,    ultra_wide_angle,
                                                omnimax,     panoramic,    cylinder_1, cylinder_2,
                                                cylinder_3,  cylinder_4,   spherical};
@@ -165,11 +164,11 @@ Projection::Projection(const Camera& camera, int width, int height)
       kind_(camera.kind),
       width_(width),
       height_(height) {
-  if (static_cast<std::size_t>(kind_) >= kProjections.size())
-    throw std::invalid_argument("mesh_camera has no projection");
+  if (kind_ == CameraKind::kMesh) mesh_.emplace(camera, width, height);
 }
 
-bool Projection::project(dvec2 position, ProjectedRay& ray) const {
+bool Projection::project(dvec2 position, ProjectedRay& ray, int index) const {
+  if (mesh_) return mesh_->project(position, index, ray);
   ray.origin = view_.location;
   // Counted from the lower edge before the division, as the reference does: to the last bit, which patterns with a step in a plane show.
   const ImagePoint point{(position.x + 0.5) / width_, (height_ - position.y - 0.5) / height_};

@@ -1,4 +1,5 @@
-// Where the ray of an image position starts and points, for every camera type but mesh_camera.
+// Where the ray of an image position starts and points, for every camera type. mesh_camera is the only one with several rays of
+// one position (engine/camera/mesh_camera.hpp).
 //
 // Image positions are in pixels: (0, 0) is the centre of the top left pixel, x to the right, y down. They may be
 // fractional and may lie outside the image (antialiasing asks for column and row -1). Width and height are those of the
@@ -6,6 +7,10 @@
 // circle). Source: specification chapter 30 §1, §3.
 #pragma once
 
+#include <optional>
+
+#include "engine/camera/mesh_camera.hpp"
+#include "engine/camera/projected_ray.hpp"
 #include "engine/math/ray.hpp"
 #include "engine/math/vec.hpp"
 #include "engine/scene/camera.hpp"
@@ -20,25 +25,21 @@ struct View {
   double angle, horizontal_angle, vertical_angle;
 };
 
-// A ray before its direction is normalised: focal blur needs the length.
-struct ProjectedRay {
-  dvec3 origin{0};
-  dvec3 direction{0, 0, 1};
-  dvec2 pattern_point{0};  // where the camera's `normal` is evaluated (chapter 30 §3.3)
-};
-
 class Projection {
  public:
   Projection(const Camera& camera, int width, int height);
 
-  // False: the camera has no ray at this position.
-  bool project(dvec2 position, ProjectedRay& ray) const;
+  int rays_per_position() const { return mesh_ ? mesh_->rays_per_position() : 1; }
+
+  // False: the camera has no ray `index` at this position.
+  bool project(dvec2 position, ProjectedRay& ray, int index = 0) const;
 
   const View& view() const { return view_; }
 
  private:
   View view_;
   CameraKind kind_;
+  std::optional<MeshCameraRays> mesh_;  // of kMesh
   double width_, height_;
 };
 

@@ -9,28 +9,40 @@ class SceneView::Source final : public PixelSource {
  public:
   explicit Source(const SceneView& view) : view_(view) {
     project_ = [this](dvec2 at, ProjectedRay& ray) { return view_.project(at, ray); };
-    trace_ = [this](const Ray& ray) { return trace(ray); };
+    trace_ = [this](const Ray& ray) { return trace(ray, std::numeric_limits<double>::infinity()); };
   }
 
   Color sample(dvec2 position) override {
     // Random numbers depend on the position alone, so that a pixel is the same in whatever block it is traced.
     context_.start_sample(std::bit_cast<std::uint64_t>(position.x), std::bit_cast<std::uint64_t>(position.y));
     if (view_.blur_) return view_.blur_->sample(position, project_, trace_);
-    ProjectedRay ray;
-    if (!view_.project(position, ray)) return {Rgb(0.0f), 0, 1};
-    return trace({ray.origin, glm::normalize(ray.direction)});
+    return mean_of_rays(position);
   }
 
   Counters counters() const override { return context_.counters; }
 
  private:
-  Color trace(const Ray& ray) {
+  // Rays that the camera does not have are left out.
+  Color mean_of_rays(dvec2 position) {
+    Color sum;
+    int traced = 0;
+    for (int index = 0; index < view_.projection_.rays_per_position(); ++index) {
+      ProjectedRay ray;
+      if (!view_.project(position, ray, index)) continue;
+      sum += trace({ray.origin, glm::normalize(ray.direction)}, ray.reach);
+      ++traced;
+    }
+    if (traced == 0) return {Rgb(0.0f), 0, 1};
+    return traced == 1 ? sum : sum * (1.0f / static_cast<float>(traced));
+  }
+
+  Color trace(const Ray& ray, double reach) {
     // Most cameras have one origin: what contains it is asked once.
     if (ray.origin != known_origin_) {
       context_.camera_interiors = view_.tracer_.interiors_at(ray.origin);
       known_origin_ = ray.origin;
     }
-    return view_.tracer_.trace(ray, context_);
+    return view_.tracer_.trace(ray, context_, reach);
   }
 
   const SceneView& view_;
@@ -61,8 +73,8 @@ SceneView::SceneView(const Camera& camera, TextureCompiler& textures, const Trac
       normal_(textures.normal(camera.normal, false)),
       tracer_(tracer) {}
 
-bool SceneView::project(dvec2 position, ProjectedRay& ray) const {
-  if (!projection_.project(position, ray)) return false;
+bool SceneView::project(dvec2 position, ProjectedRay& ray, int index) const {
+  if (!projection_.project(position, ray, index)) return false;
   if (normal_ != nullptr) {
     const double length = glm::length(ray.direction);
     SurfaceContext surface;

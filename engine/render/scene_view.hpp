@@ -23,7 +23,7 @@ class SceneView {
   class Source;
 
   // The unnormalised ray with the camera's `normal` applied; false: none at this position.
-  bool project(dvec2 position, ProjectedRay& ray) const;
+  bool project(dvec2 position, ProjectedRay& ray, int index = 0) const;
 
   Projection projection_;
   std::optional<FocalBlur> blur_;

@@ -28,6 +28,7 @@ struct TracedRay {
   bool continues = false;      // passes straight on: no level of its own
   bool monochromatic = false;  // one band of a dispersed ray
   double wavelength = 0;       // nm, of that band
+  double reach = kDepthOfMiss;  // of a mesh camera's ray: where it ends
   InteriorList interiors;
 
   bool hollow() const;  // §3: every interior it is in is hollow

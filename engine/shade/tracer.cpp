@@ -1,5 +1,7 @@
 #include "engine/shade/tracer.hpp"
 
+#include <algorithm>
+
 #include "engine/shade/shader.hpp"
 
 namespace lute {
@@ -9,9 +11,10 @@ TraceContext::~TraceContext() = default;
 TraceContext::TraceContext(TraceContext&&) noexcept = default;
 TraceContext& TraceContext::operator=(TraceContext&&) noexcept = default;
 
-Color Tracer::trace(const Ray& camera_ray, TraceContext& context) const {
+Color Tracer::trace(const Ray& camera_ray, TraceContext& context, double reach) const {
   TracedRay ray;
   ray.ray = camera_ray;
+  ray.reach = std::min(reach, kDepthOfMiss);
   ray.interiors = context.camera_interiors;
   ++context.counters.camera_rays;
   return Shader(scene_, plan_, context).trace(ray, 1);

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -41,8 +42,8 @@ class Tracer {
  public:
   Tracer(const BuiltScene& scene, const RenderPlan& plan) : scene_(scene), plan_(plan) {}
 
-  // `camera_ray` has a unit direction.
-  Color trace(const Ray& camera_ray, TraceContext& context) const;
+  // `camera_ray` has a unit direction. What it hits at `reach` or farther does not count.
+  Color trace(const Ray& camera_ray, TraceContext& context, double reach = std::numeric_limits<double>::infinity()) const;
 
   InteriorList interiors_at(const dvec3& point) const;
   const BuiltScene& scene() const { return scene_; }

@@ -110,26 +110,44 @@ void settle(Reader& reader, Camera& camera, const Written& written) {
 
 // --- Items -----------------------------------------------------------------------------------------------------------
 
-void parse_mesh_camera(Reader& reader) {
+// The body of a mesh, or an identifier that holds one; also behind the word mesh2.
+MeshCamera::Part parse_mesh_of_camera(Reader& reader) {
+  const ObjectPtr object = parse_mesh_object(reader);
+  const auto* shape = std::get_if<AnyShape>(&object->geometry);
+  const auto* mesh = shape != nullptr ? std::get_if<Mesh>(shape) : nullptr;
+  if (mesh == nullptr) reader.error("A mesh camera needs meshes.");
+  return {mesh->data, object->transform};
+}
+
+void check_mesh_camera(Reader& reader, int rays, int distribution) {
+  if (rays == 0) reader.error("Rays per pixel may not be 0");
+  if (distribution < 0 || distribution > 3) reader.error("Unrecognized distribution method");
+  if (distribution >= 2 && rays != 1) reader.error("Rays per pixel must be 1 for distribution method #2 or #3");
+}
+
+std::shared_ptr<const MeshCamera> parse_mesh_camera(Reader& reader) {
   reader.open(Word::kMeshCamera);
-  const int rays = reader.integer();
+  MeshCamera camera;
+  camera.rays = reader.integer();
   reader.comma();
   const int distribution = reader.integer();
   reader.comma();
-  reader.optional_number();
-  if (rays < 1) reader.error("Rays per pixel may not be 0");
-  if (distribution < 0 || distribution > 3) reader.error("Unrecognized distribution method");
-  if (distribution >= 2 && rays != 1) reader.error("Rays per pixel must be 1 for distribution method #2 or #3");
-  int meshes = 0;
-  while (reader.at(Word::kMesh) || reader.at(Word::kMesh2)) {
-    accept_object(reader);
+  check_mesh_camera(reader, camera.rays, distribution);
+  camera.distribution = static_cast<MeshCamera::Distribution>(distribution);
+  camera.reach = reader.optional_number().value_or(0);
+  while (reader.accept(Word::kMesh) || reader.accept(Word::kMesh2)) {
+    camera.parts.push_back(parse_mesh_of_camera(reader));
     reader.comma();
-    ++meshes;
   }
-  if (meshes == 0) reader.error_expected("mesh or mesh2");
-  if (distribution == 3) reader.accept(Word::kSmooth);
+  if (camera.parts.empty()) reader.error_expected("mesh or mesh2");
+  // A negative number is a very large one in the reference.
+  const bool too_many = camera.rays < 0 || static_cast<std::size_t>(camera.rays) > camera.parts.size();
+  if (distribution == 0 && too_many) reader.error("Rays per pixel must be <= number of meshes for distribution method #0");
+  camera.rays = distribution == 1 ? 1 : camera.rays;  // of more only the first meets a face
+  camera.smooth = reader.accept(Word::kSmooth);
+  if (camera.smooth && distribution != 3) reader.error("Smooth can only be used with distribution method #3");
   reader.close(Word::kMeshCamera);
-  warn_not_rendered(reader, "mesh_camera");
+  return std::make_shared<const MeshCamera>(std::move(camera));
 }
 
 void parse_cylinder_kind(Reader& reader, Camera& camera) {
@@ -147,7 +165,7 @@ bool accept_kind(Reader& reader, Camera& camera) {
   if (reader.accept(Word::kCylinder)) {
     parse_cylinder_kind(reader, camera);
   } else if (reader.accept(Word::kMeshCamera)) {
-    parse_mesh_camera(reader);
+    camera.mesh = parse_mesh_camera(reader);
     camera.kind = CameraKind::kMesh;
   } else {
     return false;

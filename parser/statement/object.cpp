@@ -144,6 +144,11 @@ std::optional<ObjectPtr> accept_object(Reader& reader) {
   return parse_light_group(reader);
 }
 
+ObjectPtr parse_mesh_object(Reader& reader) {
+  NestingGuard guard(reader);
+  return parse_primitive(reader, *find_primitive(Word::kMesh));
+}
+
 const std::vector<Word>& object_words() {
   static const std::vector<Word> words = [] {
     std::vector<Word> all = {Word::kUnion,  Word::kComposite,   Word::kMerge,     Word::kIntersection, Word::kDifference,

@@ -64,6 +64,32 @@ TEST(Cameras, TheLastOneCounts) {
   EXPECT_TRUE(warns(two, "More than one camera in scene. Ignoring previous camera(s)."));
 }
 
+TEST(MeshCameras, TakeMeshesAndNamesOfMeshes) {
+  const std::string names = "#declare M = mesh { triangle { 0, x, y } } #declare S = sphere { 0, 1 } ";
+  const auto text = [&](const std::string& body) { return kVersion + names + "camera { mesh_camera { " + body + " } }"; };
+  const Camera camera = scene_of(text("2 0 5 mesh { M translate z } mesh2 { M }")).camera;
+  ASSERT_NE(camera.mesh, nullptr);
+  EXPECT_EQ(camera.mesh->rays, 2);
+  EXPECT_EQ(camera.mesh->reach, 5);
+  ASSERT_EQ(camera.mesh->parts.size(), 2u);
+  expect_near(camera.mesh->parts[0].transform.point(dvec3(0)), {0, 0, 1});
+  EXPECT_EQ(rejection_of(text("1 0 mesh { S }")), "A mesh camera needs meshes.");
+}
+
+TEST(MeshCameras, RejectWhatTheReferenceRejects) {  // the messages are those of the reference's binary
+  const auto rejection = [](const std::string& body) {
+    return rejection_of(kVersion + "#declare M = mesh { triangle { 0, x, y } } camera { mesh_camera { " + body + " } }");
+  };
+  EXPECT_EQ(rejection("0 0 mesh { M }"), "Rays per pixel may not be 0");
+  EXPECT_EQ(rejection("2 0 mesh { M }"), "Rays per pixel must be <= number of meshes for distribution method #0");
+  EXPECT_EQ(rejection("1 4 mesh { M }"), "Unrecognized distribution method");
+  EXPECT_EQ(rejection("2 3 mesh { M }"), "Rays per pixel must be 1 for distribution method #2 or #3");
+  EXPECT_EQ(rejection("1 2 mesh { M } smooth"), "Smooth can only be used with distribution method #3");
+  EXPECT_EQ(rejection("1 0 mesh { M }, mesh { M }"), "No matching } in 'mesh_camera', , found instead");
+  EXPECT_EQ(rejection("1 0 mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0, 1, 2> } }"), "No triangles in triangle mesh.");
+  EXPECT_EQ(rejection("1 0"), "Expected 'mesh or mesh2', } found instead");
+}
+
 TEST(Cameras, FocalPointMeasuresFromTheLocation) {
   EXPECT_EQ(camera_of("location -5*z focal_point 0 aperture 0.1 blur_samples 10").focal_distance, 5);
   EXPECT_EQ(rejection_of(kVersion + "camera { blur_samples 0 }"), "Illegal number of focal blur samples.");

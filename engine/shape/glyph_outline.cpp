@@ -103,6 +103,9 @@ struct Tracer {
   }
 };
 
+// FreeType takes the middle of two control points in whole units: with finer ones nothing is rounded away.
+constexpr int kOutlineShift = 6;
+
 void trace_outline(FT_Outline& outline, Tracer& tracer) {
   static const FT_Outline_Funcs kCallbacks{
       [](const FT_Vector* to, void* user) {
@@ -128,7 +131,7 @@ void trace_outline(FT_Outline& outline, Tracer& tracer) {
         t.curve_to(0.75 * (t.point(c1) + t.point(c2)) - 0.25 * (t.pen + end), end);
         return 0;
       },
-      0, 0};
+      kOutlineShift, 0};
   FT_Outline_Decompose(&outline, &kCallbacks, &tracer);
   tracer.line_to(tracer.start);
 }
@@ -157,7 +160,7 @@ std::vector<GlyphOutline> lay_out_text(std::string_view font, std::u16string_vie
     if (!first && FT_HAS_KERNING(face.get())) FT_Get_Kerning(face.get(), before, index, FT_KERNING_UNSCALED, &kern);
     const dvec2 kerned = scale * dvec2(static_cast<double>(kern.x), static_cast<double>(kern.y));
     GlyphOutline glyph;
-    Tracer tracer{glyph, scale, first ? dvec2(-bearing, 0) : pen + kerned};
+    Tracer tracer{glyph, scale / (1 << kOutlineShift), first ? dvec2(-bearing, 0) : pen + kerned};
     trace_outline(slot->outline, tracer);
     if (!glyph.pieces.empty()) glyphs.push_back(std::move(glyph));
     pen.x += first ? advance - bearing : advance + kerned.x;

@@ -66,5 +66,16 @@ TEST_F(TextTest, HolesAreOutside) {
   EXPECT_EQ(hits.size(), 4u);
 }
 
+// Measured with POV-Ray's trace(): where rays toward -x at z = 0.05 meet the right of the glyph. Between two control points the curve
+// passes through their exact middle, not through the nearest whole font unit.
+TEST_F(TextTest, ImpliedPointsLieExactlyInTheMiddle) {
+  const auto eight = make(Text{font("cyrvetic.ttf"), u"8", .1, dvec3(0)});
+  const auto s = make(Text{font("timrom.ttf"), u"S", .1, dvec3(0)});
+  const auto right = [](const Shape& shape, double y) { return trace(shape, dvec3(2, y, .05), dvec3(-1, 0, 0))->point.x; };
+  EXPECT_NEAR(right(*eight, .7), .3032445, 1e-7);
+  EXPECT_NEAR(right(*eight, .3), .4547150, 1e-7);
+  EXPECT_NEAR(right(*s, .3), .3905442, 1e-7);
+}
+
 }  // namespace
 }  // namespace lute

@@ -135,10 +135,7 @@ std::shared_ptr<const MeshCamera> parse_mesh_camera(Reader& reader) {
   check_mesh_camera(reader, camera.rays, distribution);
   camera.distribution = static_cast<MeshCamera::Distribution>(distribution);
   camera.reach = reader.optional_number().value_or(0);
-  while (reader.accept(Word::kMesh) || reader.accept(Word::kMesh2)) {
-    camera.parts.push_back(parse_mesh_of_camera(reader));
-    reader.comma();
-  }
+  while (reader.accept(Word::kMesh) || reader.accept(Word::kMesh2)) camera.parts.push_back(parse_mesh_of_camera(reader));
   if (camera.parts.empty()) reader.error_expected("mesh or mesh2");
   // A negative number is a very large one in the reference.
   const bool too_many = camera.rays < 0 || static_cast<std::size_t>(camera.rays) > camera.parts.size();

@@ -85,7 +85,7 @@ TEST(MeshCameras, RejectWhatTheReferenceRejects) {  // the messages are those of
   EXPECT_EQ(rejection("1 4 mesh { M }"), "Unrecognized distribution method");
   EXPECT_EQ(rejection("2 3 mesh { M }"), "Rays per pixel must be 1 for distribution method #2 or #3");
   EXPECT_EQ(rejection("1 2 mesh { M } smooth"), "Smooth can only be used with distribution method #3");
-  EXPECT_EQ(rejection("1 0 mesh { M }, mesh { M }"), "No matching } in 'mesh_camera', , found instead");
+  EXPECT_EQ(rejection("1 0 mesh { M }, mesh { M }"), "No matching } in 'mesh_camera', ,  found instead");
   EXPECT_EQ(rejection("1 0 mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0, 1, 2> } }"), "No triangles in triangle mesh.");
   EXPECT_EQ(rejection("1 0"), "Expected 'mesh or mesh2', } found instead");
 }

@@ -31,9 +31,7 @@ SceneTree::SceneTree(std::span<const Solid* const> solids) {
   std::vector<Entry> finite;
   std::vector<Aabb> boxes;
   const auto list = [&](const Entry& entry, const Aabb& box) {
-    const auto* leaf = dynamic_cast<const LeafSolid*>(entry.solid);
-    const bool cheap = leaf != nullptr && leaf->unclipped() && !leaf->leaf().shape->tests_own_box();
-    const bool limited = !cheap && box.half_area() < std::numeric_limits<double>::infinity();
+    const bool limited = !is_cheap(*entry.solid) && box.half_area() < std::numeric_limits<double>::infinity();
     listed_.push_back({entry, box, limited});
     any_boxed_ = any_boxed_ || limited;
   };

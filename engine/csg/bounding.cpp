@@ -4,6 +4,11 @@
 
 namespace lute {
 
+bool is_cheap(const Solid& solid) {
+  const auto* leaf = dynamic_cast<const LeafSolid*>(&solid);
+  return leaf != nullptr && leaf->unclipped() && !leaf->shape().tests_own_box();
+}
+
 bool inside_all(const SharedSolids& solids, const dvec3& point) {
   return std::ranges::all_of(solids, [&](const auto& solid) { return solid->inside(point); });
 }

@@ -35,6 +35,9 @@ class BoxTest {
 
 inline bool meets_box(const Ray& ray, Interval range, const Aabb& box) { return BoxTest(ray).meets(range, box); }
 
+// True if a ray is tested against the solid as fast as against its box.
+bool is_cheap(const Solid& solid);
+
 bool inside_all(const SharedSolids& solids, const dvec3& point);
 
 // True if the ray meets or starts inside every bound.

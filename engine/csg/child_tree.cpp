@@ -1,8 +1,12 @@
 #include "engine/csg/child_tree.hpp"
 
+#include <algorithm>
+
 namespace lute {
 
-ChildTree::ChildTree(std::vector<Aabb> ray_boxes, std::span<const Aabb> all_boxes) : ray_boxes_(std::move(ray_boxes)) {
+ChildTree::ChildTree(std::vector<Aabb> ray_boxes, std::span<const Aabb> all_boxes, std::vector<bool> boxed)
+    : ray_boxes_(std::move(ray_boxes)), boxed_(std::move(boxed)) {
+  any_boxed_ = std::ranges::find(boxed_, true) != boxed_.end();
   constexpr std::size_t kFewest = 8;  // below, a tree costs more than it saves
   std::vector<Aabb> finite(all_boxes.size());  // those left empty stay out of the tree
   std::size_t count = 0;

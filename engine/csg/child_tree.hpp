@@ -14,18 +14,24 @@ namespace lute {
 class ChildTree {
  public:
   // `ray_boxes`: where a ray has to pass to hit a child. `all_boxes`: where a point may be inside it, or a ray hit it.
-  ChildTree(std::vector<Aabb> ray_boxes, std::span<const Aabb> all_boxes);
+  // `boxed`: the child costs more than a test of its box.
+  ChildTree(std::vector<Aabb> ray_boxes, std::span<const Aabb> all_boxes, std::vector<bool> boxed);
 
   // Calls visit(child, far) for the children that the ray may hit before `far`, which visit may lower; nearer boxes first where
   // there is a tree, else in order. `visit` returns true to end.
   template <class Visit>
   void along(const Ray& ray, Interval range, Visit&& visit) const {
+    double far = range.hi;
+    if (!any_boxed_ && tree_.empty()) {
+      for (const std::uint32_t child : everywhere_)
+        if (visit(child, far)) return;
+      return;
+    }
     std::uint64_t box_tests = 0;
     const BoxTest boxes(ray);
-    double far = range.hi;
     bool done = false;
     const auto try_child = [&](std::uint32_t child) {
-      if (!done && boxes.meets({range.lo, far}, ray_boxes_[child])) done = visit(child, far);
+      if (!done && (!boxed_[child] || boxes.meets({range.lo, far}, ray_boxes_[child]))) done = visit(child, far);
     };
     for (const std::uint32_t child : everywhere_) try_child(child);
     if (done || tree_.empty()) return;
@@ -54,6 +60,8 @@ class ChildTree {
 
  private:
   std::vector<Aabb> ray_boxes_;
+  std::vector<bool> boxed_;
+  bool any_boxed_ = false;
   std::vector<std::uint32_t> everywhere_;  // not in the tree: unbounded, or too few for one
   Bvh tree_;
 };

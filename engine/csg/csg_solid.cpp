@@ -13,6 +13,10 @@ CsgSolid::CsgSolid(CsgKind kind, Children children, SharedSolids clips, SharedSo
       clips_(std::move(clips)),
       bounds_(std::move(bounds)),
       tree_(set_boxes()) {
+  for (const auto& child : children_) {
+    const auto* leaf = dynamic_cast<const LeafSolid*>(child.get());
+    leaves_.push_back(leaf != nullptr && leaf->unclipped() ? leaf : nullptr);
+  }
   opaque = std::ranges::all_of(children_, [](const auto& child) { return child->opaque; });
 }
 
@@ -28,17 +32,19 @@ ChildTree CsgSolid::set_boxes() {
     if (!all_children_needed() || (before.lo == inside_box.lo && before.hi == inside_box.hi)) break;
   }
   std::vector<Aabb> ray_boxes, all_boxes;
+  std::vector<bool> boxed;
   box = Aabb();
   for (const auto& child : children_) {
     const Aabb region = all_children_needed() ? inside_box : clipped;
     ray_boxes.push_back(child->hits_within(region));
     box.join(ray_boxes.back());
+    boxed.push_back(!is_cheap(*child) || ray_boxes.back().volume() < 0.5 * child->box.volume());
     all_boxes.push_back(ray_boxes.back());
     // The inside tests of an intersection ask every child.
     if (!all_children_needed()) all_boxes.back().join(child->inside_box);
   }
   box_cuts_ = limit_box(box, bounds_);
-  return ChildTree(std::move(ray_boxes), all_boxes);
+  return ChildTree(std::move(ray_boxes), all_boxes, std::move(boxed));
 }
 
 Aabb CsgSolid::hits_within(const Aabb& region) const {
@@ -71,24 +77,24 @@ bool CsgSolid::child_visible(const Solid& child, RayKind kind) const {
   return v.visible_to(kind);
 }
 
-bool CsgSolid::in_clips(const dvec3& point) const { return inside_all(clips_, point); }
+bool CsgSolid::in_clips(const dvec3& point) const { return clips_.empty() || inside_all(clips_, point); }
 
 bool CsgSolid::meets_bounds(const Ray& ray) const {
   if (box_cuts_ && !meets_box(ray, {}, box)) return false;
-  return meets_all(bounds_, ray);
+  return bounds_.empty() || meets_all(bounds_, ray);
 }
 
 bool CsgSolid::survives(std::size_t child, const dvec3& point, RayKind kind) const {
   if (kind_ == CsgKind::kUnion) return true;
   if (all_children_needed()) {
     for (std::size_t i = 0; i < children_.size(); ++i)
-      if (i != child && !children_[i]->inside(point)) return false;
+      if (i != child && !inside_child(i, point)) return false;
     return true;
   }
   bool hidden = false;
   tree_.around(point, [&](std::uint32_t i) {
     const Solid& other = *children_[i];
-    hidden = i != child && other.inside_box.contains(point) && child_visible(other, kind) && other.inside(point);
+    hidden = i != child && other.inside_box.contains(point) && child_visible(other, kind) && inside_child(i, point);
     return hidden;
   });
   return !hidden;
@@ -119,28 +125,47 @@ void CsgSolid::hits(const Ray& ray, Interval range, RayKind kind, Hits& out) con
   found.resize(start);
 }
 
+// Calls sink(t, point, hit) for the hits of a child, the last found first: of equal depths it wins. `point()` and `hit()` make what
+// is needed of the few that count.
+template <class Sink>
+void CsgSolid::hits_of_child(std::size_t child, const Ray& ray, Interval range, RayKind kind, Sink&& sink) const {
+  // Calls within may use the lists' tails, and so move them: hits are read by index.
+  if (const LeafSolid* leaf = leaves_[child]; leaf != nullptr) {
+    thread_local ShapeHits found;
+    const std::size_t first = found.size();
+    leaf->shape().hits(ray, range, found);
+    for (std::size_t k = found.size(); k > first; --k) {
+      const double t = found[k - 1].t;
+      sink(t, [&] { return ray.at(t); }, [&] { return Hit{t, ray.at(t), found[k - 1], &leaf->leaf(), nullptr}; });
+    }
+    found.resize(first);
+    return;
+  }
+  thread_local Hits found;
+  const std::size_t first = found.size();
+  children_[child]->hits(ray, range, kind, found);
+  for (std::size_t k = found.size(); k > first; --k)
+    sink(found[k - 1].t, [&] { return found[k - 1].point; }, [&] { return found[k - 1]; });
+  found.resize(first);
+}
+
 bool CsgSolid::nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) const {
   if (kind_ == CsgKind::kUnion && clips_.empty()) return nearest_in_union(ray, range, kind, hit);
   // Child by child, so that a near hit spares the inside tests of those behind it.
   if (!meets_bounds(ray)) return false;
-  thread_local Hits found;
-  const std::size_t first = found.size();
   bool any_found = false;
   std::uint32_t best = 0;
   tree_.along(ray, range, [&](std::uint32_t i, double& far) {
-    const Solid& child = *children_[i];
-    if (!child_visible(child, kind)) return false;
-    child.hits(ray, {range.lo, far}, kind, found);
-    for (std::size_t k = found.size(); k > first; --k) {
-      const Hit candidate = found[k - 1];
-      if (candidate.t > far || (any_found && candidate.t == far && i < best)) continue;  // of equals the last child wins
-      if (!survives(i, candidate.point, kind) || !in_clips(candidate.point)) continue;
-      hit = candidate;
-      far = hit.t;
+    if (!child_visible(*children_[i], kind)) return false;
+    hits_of_child(i, ray, {range.lo, far}, kind, [&](double t, auto&& point, auto&& whole) {
+      if (t > far || (any_found && t == far && i < best)) return;  // of equals the last child wins
+      const dvec3 at = point();
+      if (!survives(i, at, kind) || !in_clips(at)) return;
+      hit = whole();
+      far = t;
       best = i;
       any_found = true;
-    }
-    found.resize(first);
+    });
     return false;
   });
   if (any_found && marks_) hit.cutaway = this;
@@ -165,14 +190,17 @@ bool CsgSolid::nearest_in_union(const Ray& ray, Interval range, RayKind kind, Hi
 }
 
 bool CsgSolid::any(const Ray& ray, Interval range, RayKind kind) const {
-  if (kind_ != CsgKind::kUnion || !clips_.empty()) {
-    Hit hit;
-    return nearest(ray, range, kind, hit);
-  }
   if (!meets_bounds(ray)) return false;
+  const bool each_counts = kind_ == CsgKind::kUnion && clips_.empty();
   bool found = false;
-  tree_.along(ray, range, [&](std::uint32_t i, double&) {
-    found = child_visible(*children_[i], kind) && children_[i]->any(ray, range, kind);
+  tree_.along(ray, range, [&](std::uint32_t i, double& far) {
+    if (!child_visible(*children_[i], kind)) return false;
+    if (each_counts) return found = children_[i]->any(ray, range, kind);
+    hits_of_child(i, ray, range, kind, [&](double t, auto&& point, auto&&) {
+      if (found || t > far) return;
+      const dvec3 at = point();
+      found = survives(i, at, kind) && in_clips(at);
+    });
     return found;
   });
   return found;

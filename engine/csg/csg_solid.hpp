@@ -54,12 +54,18 @@ class CsgSolid final : public Solid {
   bool in_clips(const dvec3& point) const;
   bool meets_bounds(const Ray& ray) const;
   ChildTree set_boxes();
+  bool inside_child(std::size_t child, const dvec3& point) const {
+    return leaves_[child] != nullptr ? leaves_[child]->inside_shape(point) : children_[child]->inside(point);
+  }
+  template <class Sink>
+  void hits_of_child(std::size_t child, const Ray& ray, Interval range, RayKind kind, Sink&& sink) const;
   bool nearest_in_union(const Ray& ray, Interval range, RayKind kind, Hit& hit) const;
 
   CsgKind kind_;
   bool marks_;             // its mark overwrites that of inner combinations
   bool box_cuts_ = false;  // `box` came from the bounds and may be smaller than the content
   Children children_;
+  std::vector<const LeafSolid*> leaves_;  // the children that are unclipped leaves, most of them; null for the others
   SharedSolids clips_, bounds_;
   ChildTree tree_;
 };

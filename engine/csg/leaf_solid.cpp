@@ -34,11 +34,14 @@ LeafSolid::LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips, SharedSolid
   if (!shape_->obeys_clips()) clips_.clear();
   if (bound_test == BoundTest::kBoxOnly) bounds_.clear();
   plain_ = clips_.empty() && bounds_.empty() && !box_cuts_;
+  patch_ = shape_->is_patch();
 }
 
 void LeafSolid::hits(const Ray& ray, Interval range, RayKind, Hits& out) const {
-  if (box_cuts_ && !meets_box(ray, {0, range.hi}, box)) return;
-  if (!meets_all(bounds_, ray)) return;
+  if (!plain_) {
+    if (box_cuts_ && !meets_box(ray, {0, range.hi}, box)) return;
+    if (!meets_all(bounds_, ray)) return;
+  }
   thread_local ShapeHits found;
   const std::size_t first = found.size();
   shape_->hits(ray, range, found);
@@ -46,7 +49,7 @@ void LeafSolid::hits(const Ray& ray, Interval range, RayKind, Hits& out) const {
   for (std::size_t i = first; i < found.size(); ++i) {
     const ShapeHit shape_hit = found[i];
     const dvec3 point = ray.at(shape_hit.t);
-    if (inside_all(clips_, point)) out.push_back({shape_hit.t, point, shape_hit, leaf_.get(), nullptr});
+    if (clips_.empty() || inside_all(clips_, point)) out.push_back({shape_hit.t, point, shape_hit, leaf_.get(), nullptr});
   }
   found.resize(first);
 }
@@ -65,12 +68,11 @@ bool LeafSolid::any(const Ray& ray, Interval range, RayKind kind) const {
   return plain_ ? shape_->any(ray, range) : Solid::any(ray, range, kind);
 }
 
-bool LeafSolid::inside(const dvec3& point) const { return plain_inside(point) && inside_all(clips_, point); }
-
-bool LeafSolid::plain_inside(const dvec3& point) const {
-  if (shape_->is_patch()) return false;
-  return inverted_ ? shape_->inside_inverted(point) : shape_->inside(point);
+bool LeafSolid::inside(const dvec3& point) const {
+  return inside_shape(point) && (clips_.empty() || inside_all(clips_, point));
 }
+
+bool LeafSolid::plain_inside(const dvec3& point) const { return inside_shape(point); }
 
 Aabb LeafSolid::hits_within(const Aabb& region) const {
   const Aabb limits = region.intersection(box);

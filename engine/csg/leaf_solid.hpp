@@ -26,7 +26,12 @@ class LeafSolid final : public Solid {
                      BoundTest bound_test = BoundTest::kTested);
 
   const Leaf& leaf() const { return *leaf_; }
-  bool unclipped() const { return plain_; }  // the shape alone decides what is hit
+  bool unclipped() const { return plain_; }  // the shape alone decides what is hit, and what is inside
+  // Of an unclipped leaf, without the way through the virtual functions of Solid.
+  const Shape& shape() const { return *shape_; }
+  bool inside_shape(const dvec3& point) const {
+    return !patch_ && (inverted_ ? shape_->inside_inverted(point) : shape_->inside(point));
+  }
 
   void hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const override;
   bool nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) const override;
@@ -42,7 +47,7 @@ class LeafSolid final : public Solid {
   const Shape* shape_;
   SharedSolids clips_, bounds_;
   bool inverted_;  // of the inside test; Leaf::inverted says whether the normal is negated
-  bool plain_;
+  bool plain_, patch_;
   bool box_cuts_ = false;  // `box` came from the bounds and may be smaller than the shape
 };
 

@@ -2,15 +2,6 @@
 
 namespace lute {
 
-bool Visibility::visible_to(RayKind kind) const {
-  if (kind.shadow) return !no_shadow;
-  const bool image = kind.primary || (kind.refracted && !kind.reflected);
-  if (no_image && image) return false;
-  if (no_reflection && kind.reflected) return false;
-  if (no_radiosity && kind.radiosity) return false;
-  return !(no_shadow && kind.photon);
-}
-
 bool Solid::nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) const {
   // Reused between calls: a hit list is short-lived, allocating it for every ray is not. Nested calls use its tail.
   thread_local Hits found;

@@ -27,7 +27,15 @@ struct RayKind {
 
 struct Visibility {
   bool no_image = false, no_reflection = false, no_radiosity = false, no_shadow = false;
-  bool visible_to(RayKind kind) const;
+  bool visible_to(RayKind kind) const {
+    if (kind.shadow) return !no_shadow;
+    if (!no_image && !no_reflection && !no_radiosity && !no_shadow) return true;
+    const bool image = kind.primary || (kind.refracted && !kind.reflected);
+    if (no_image && image) return false;
+    if (no_reflection && kind.reflected) return false;
+    if (no_radiosity && kind.radiosity) return false;
+    return !(no_shadow && kind.photon);
+  }
 };
 
 // A texture in the built scene: `placement` carries the world point into the space that the texture was written in.

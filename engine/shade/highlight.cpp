@@ -13,6 +13,13 @@ Rgb metallic_tint(Rgb pigment, float metallic, double c) {
   return Rgb(1.0f) + (metallic * static_cast<float>(1 - fresnel)) * (pigment - Rgb(1.0f));
 }
 
+namespace {
+
+// c^exponent for c up to 1. What is below e^-40 adds nothing that a float beside it could hold.
+double lobe(double c, double exponent) { return (1 - c) * exponent > 40 ? 0 : std::pow(c, exponent); }
+
+}  // namespace
+
 Rgb Shader::highlights(const Surface& surface, const LitLayer& layer, const dvec3& to_light, Rgb color) const {
   const Finish& finish = layer.finish;
   const dvec3& direction = surface.in.ray.direction;
@@ -22,13 +29,13 @@ Rgb Shader::highlights(const Surface& surface, const LitLayer& layer, const dvec
     const double c = glm::dot(mirrored, to_light);
     // Below, a power of 60 and more is as good as nothing.
     if (c > 0 && (finish.phong_size < 60 || c > 0.0008))
-      intensity += static_cast<double>(finish.phong) * std::pow(c, static_cast<double>(finish.phong_size));
+      intensity += static_cast<double>(finish.phong) * lobe(c, static_cast<double>(finish.phong_size));
   }
   if (finish.specular > 0) {
     const dvec3 half = to_light - direction;
     const double length = glm::length(half);
     const double c = length > 0 ? glm::dot(half, layer.normal) / length : 0;
-    if (c > 0) intensity += static_cast<double>(finish.specular) * std::pow(c, static_cast<double>(finish.specular_exponent));
+    if (c > 0) intensity += static_cast<double>(finish.specular) * lobe(c, static_cast<double>(finish.specular_exponent));
   }
   if (intensity == 0) return Rgb(0.0f);
   const Rgb light = color * static_cast<float>(intensity);

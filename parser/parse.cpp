@@ -53,7 +53,7 @@ void open_scene(Session& session) {
   const ParseOptions& options = session.options;
   SourceFile* main_file = nullptr;
   if (options.input_text) {
-    main_file = &session.add_file(options.input_file, *options.input_text, true);
+    main_file = &session.add_file(options.input_file, FileText(*options.input_text), true);
   } else {
     const auto path = find_scene_file(session, options.input_file, {".pov", ".POV"});
     if (path) main_file = session.load(*path);
@@ -154,7 +154,7 @@ std::string dump_tokens(const std::string& file_name, std::string_view text) {
   Names names;
   SourceFile file;
   file.name = file_name;
-  file.text = std::string(text);
+  file.set_text(FileText(std::string(text)));
   lex(file, names, true);
   std::string out;
   for (const Token& token : file.tokens) {

@@ -67,7 +67,7 @@ struct Session {
   std::unique_ptr<StatementState> statements;
 
   // Adds a file's text to the table and lexes it.
-  SourceFile& add_file(std::string name, std::string text, bool main_file);
+  SourceFile& add_file(std::string name, FileText text, bool main_file);
   // The file at `path`, read on first use; null if it cannot be opened.
   SourceFile* load(const std::string& path);
 

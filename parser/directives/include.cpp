@@ -1,7 +1,6 @@
 // #include and #version; files are read and lexed once. Source: specification chapter 10 §6.1, §6.2.
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "parser/directives/directive.hpp"
 #include "parser/expression/expression.hpp"
@@ -19,12 +18,12 @@ bool is_file(const fs::path& path) {
 
 }  // namespace
 
-SourceFile& Session::add_file(std::string name, std::string text, bool main_file) {
+SourceFile& Session::add_file(std::string name, FileText text, bool main_file) {
   auto file = std::make_unique<SourceFile>();
   file->name = std::move(name);
-  file->text = std::move(text);
+  file->set_text(std::move(text));
   file->index = static_cast<std::uint32_t>(files.size());
-  lex(*file, names, main_file);
+  lex(*file, names, main_file, true);
   if (file->byte_order_mark) language.charset = Reader::Charset::kUtf8;
   scene.files.push_back(file->name);
   files.push_back(std::move(file));
@@ -40,14 +39,10 @@ SourceFile* Session::load(const std::string& path) {
     fail("File '" + path + "' is larger than the limit of " + std::to_string(options.limits.file_bytes) + " bytes.",
          "limit-file");
   }
-  constexpr std::uint64_t kMemoryPerByte = 5;  // the text, and a token of 16 bytes for every four or so
-  resources.charge(size * kMemoryPerByte);
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return nullptr;
-  std::string text(size, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(size));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  SourceFile& file = add_file(path, std::move(text), files.empty());
+  resources.charge(size);
+  std::optional<FileText> text = FileText::of_file(path, size);
+  if (!text) return nullptr;
+  SourceFile& file = add_file(path, std::move(*text), files.empty());
   by_path.emplace(path, &file);
   return &file;
 }

@@ -101,6 +101,7 @@ bool run_known_end(Session& session, const Token* hash) {
 bool run_known_directive(Session& session) {
   TokenStream& stream = session.stream;
   const TokenFrame& frame = stream.frames.back();
+  if (frame.in_run()) return false;
   const Token* const hash = frame.cursor;
   if (hash + 1 == frame.end || hash[1].kind != TokenKind::kWord) return false;
   const Word word = hash[1].word;

@@ -62,20 +62,23 @@ void TokenStream::unread() {
   window_size_ = 0;
 }
 
-bool TokenStream::at_written(TokenKind kind) const {
+bool TokenStream::at_written(TokenKind kind) {
   if (window_size_ > 0) return window_[0].is(kind);
+  settle();
   const TokenFrame& frame = frames.back();
   return frame.cursor != frame.end && frame.cursor->kind == kind;
 }
 
-bool TokenStream::at_written(Word word) const {
+bool TokenStream::at_written(Word word) {
   if (window_size_ > 0) return window_[0].is(word);
+  settle();
   const TokenFrame& frame = frames.back();
   return frame.cursor != frame.end && frame.cursor->kind == TokenKind::kWord && frame.cursor->word == word;
 }
 
 bool TokenStream::ends_argument() {
   if (window_size_ == 0) {
+    settle();
     const TokenFrame& frame = frames.back();
     if (frame.cursor != frame.end && frame.cursor->kind != TokenKind::kHash && frame.cursor->kind != TokenKind::kName) {
       return frame.cursor->kind == TokenKind::kComma || frame.cursor->kind == TokenKind::kRightParen;
@@ -93,8 +96,43 @@ void TokenStream::fail_unreadable(const TokenFrame& frame) {
   session_.fail_at(frame.file->errors[frame.cursor->index], "unreadable-text", item);
 }
 
+void TokenStream::leave_run(TokenFrame& frame) {
+  frame.cursor = frame.behind_run;
+  frame.end = frame.end_behind_run;
+  frame.behind_run = nullptr;
+}
+
+// True if the cursor has moved to another piece of a run, or behind it.
+bool TokenStream::settle_once() {
+  TokenFrame& frame = frames.back();
+  if (!frame.in_run()) {
+    if (frame.cursor == frame.end || frame.cursor->kind != TokenKind::kRun) return false;
+    frame.run = frame.cursor->index;
+    frame.run_position = frame.file->runs[frame.run].begin;
+    frame.behind_run = frame.cursor + 1;
+    frame.end_behind_run = frame.end;
+  } else if (frame.cursor != frame.end) {
+    return false;
+  } else if (frame.run_position == frame.file->runs[frame.run].end) {
+    leave_run(frame);
+    return true;
+  }
+  frame.piece ^= 1;
+  std::vector<Token>& piece = pieces_[frame.piece];
+  lex_run(*frame.file, session_.names, frame.file->runs[frame.run], frame.run_position, piece);
+  frame.cursor = piece.data();
+  frame.end = piece.data() + piece.size() - 1;
+  return true;
+}
+
+void TokenStream::settle() {
+  while (settle_once()) {
+  }
+}
+
 // Ends the innermost frame if it has no token left.
 bool TokenStream::at_frame_end() {
+  if (settle_once()) return true;
   TokenFrame& frame = frames.back();
   if (frame.macro) {
     if (frame.cursor != frame.end) return false;
@@ -271,6 +309,9 @@ void TokenStream::unwind(std::size_t frame_count, std::size_t conditional_count)
   while (frames.size() > frame_count) {
     frames.pop_back();
     session_.symbols.pop_table();
+  }
+  for (TokenFrame& frame : frames) {
+    if (frame.in_run()) leave_run(frame);
   }
   window_size_ = 0;
   after_operand_ok_ = true;

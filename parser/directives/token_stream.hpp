@@ -19,6 +19,13 @@ struct TokenFrame {
   const Token* cursor = nullptr;
   const Token* end = nullptr;  // of a macro: its `#end`; of a file: its kEnd token
   MacroPtr macro;              // null for a file
+
+  // While a run of literals is read: cursor and end are those of a piece of it.
+  const Token* behind_run = nullptr;  // where reading goes on then; null: no run is being read
+  const Token* end_behind_run = nullptr;
+  std::uint32_t run = 0, run_position = 0;
+  int piece = 0;
+  bool in_run() const { return behind_run != nullptr; }
 };
 
 // An open #if, #while, #for, #switch or macro call.
@@ -49,8 +56,8 @@ class TokenStream {
   Item take();
   void put_back(Item item);  // in front of what comes next
   // The token as written that comes next in the innermost frame is of this kind; nothing is executed for it.
-  bool at_written(TokenKind kind) const;
-  bool at_written(Word word) const;
+  bool at_written(TokenKind kind);
+  bool at_written(Word word);
   bool window_empty() const { return window_size_ == 0; }
 
   // Fetches the token behind an operand: directives in front of it run only where the expression began in a place that allows
@@ -127,11 +134,15 @@ class TokenStream {
 
  private:
   void fetch(bool directives_allowed);
+  void settle();        // reads the next piece where a run of literals begins or goes on
+  bool settle_once();
+  void leave_run(TokenFrame& frame);
   bool at_frame_end();  // handles the end of a macro's body or of an included file; false when there is a token to read
   void resolve(Item& item, bool read_subscripts);
   [[noreturn]] void fail_unreadable(const TokenFrame& frame);
 
   Session& session_;
+  std::vector<Token> pieces_[2];  // of runs, in turn: what was read last may still be asked about
   Item window_[2];
   int window_size_ = 0;
   bool after_operand_ok_ = true;

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
+#include <filesystem>
 
 #include "parser/directives/directive.hpp"
 #include "parser/expression/expression.hpp"
@@ -37,13 +37,13 @@ UserFilePtr take_open_file(Session& session) {
 
 void open_for_reading(Session& session, UserFile& file, const std::string& name) {
   const auto path = find_scene_file(session, name, {});
-  std::ifstream in;
-  if (path) in.open(*path, std::ios::binary);
-  if (!in.is_open()) session.fail("Cannot open user file " + name + " (read).", "user-file");
-  std::ostringstream text;
-  text << in.rdbuf();
+  std::error_code error;
+  const std::uintmax_t size = path ? std::filesystem::file_size(*path, error) : 0;
+  std::optional<FileText> text;
+  if (path && !error) text = FileText::of_file(*path, size);
+  if (!text) session.fail("Cannot open user file " + name + " (read).", "user-file");
   file.input.name = *path;
-  file.input.text = text.str();
+  file.input.set_text(std::move(*text));
   file.reading = true;
   lex(file.input, session.names, false);
   file.cursor = file.input.tokens.data();
@@ -222,6 +222,7 @@ void run_write(Session& session) {
   open_paren(session);
   const UserFilePtr file = take_open_file(session);
   if (file->reading) session.fail("Cannot write to file " + file->name + " because the file is open for reading only.", "user-file");
+  if (session.recovery.any()) file->output.setstate(std::ios::badbit);  // a scene with an error writes nothing more
   for (;;) {
     reader.comma();
     const Item& next = reader.peek();

@@ -10,7 +10,8 @@ bool begin_recording(Session& session) {
   state.recording.reset();
   if (!stream.repeats() || !stream.window_empty()) return false;
   const TokenFrame& frame = stream.frames.back();
-  if (frame.cursor == frame.end || frame.cursor->kind == TokenKind::kHash) return false;
+  if (frame.in_run() || frame.cursor == frame.end || frame.cursor->kind == TokenKind::kHash) return false;
+  if (frame.cursor->kind == TokenKind::kRun) return false;
   state.recording = std::make_unique<Code>();
   state.recording->begin = frame.cursor;
   return true;
@@ -24,7 +25,7 @@ void end_recording(Session& session, Level level) {
   if (next.subscripts > 0 || next.token.kind == TokenKind::kEnd) return;
   SourceFile& file = *stream.frames.back().file;
   Code& code = *state.recording;
-  if (next.file != file.index || next.source <= code.begin) return;
+  if (stream.frames.back().in_run() || next.file != file.index || next.source <= code.begin) return;
   code.end = next.source;
   code.level = level;
   if (file.expression_codes.empty()) file.expression_codes.resize(file.tokens.size());
@@ -40,7 +41,7 @@ bool run_compiled(Session& session, Level level, Number& result) {
   if (!stream.repeats() || !stream.window_empty()) return false;
   TokenFrame& frame = stream.frames.back();
   SourceFile& file = *frame.file;
-  if (file.expression_codes.empty() || frame.cursor == frame.end) return false;
+  if (file.expression_codes.empty() || frame.in_run() || frame.cursor == frame.end) return false;
   std::uint32_t index = file.expression_codes[file.token_index(frame.cursor)];
   while (index != 0 && session.expressions.codes[index].level != level) index = session.expressions.codes[index].next;
   if (index == 0) return false;

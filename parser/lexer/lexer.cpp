@@ -28,15 +28,17 @@ struct LexFailure {
 struct LexState {
   SourceFile& file;
   Names& names;
+  std::vector<Token>& tokens;
   const char* begin;
+  const char* next_run = nullptr;     // where it is worth looking for a run of literals again; null: never
   const char* token_begin = nullptr;  // set by Dispatch: an action cannot know where its match started
 
   Token& push(TokenKind kind) {
     Token token;
     token.kind = kind;
     token.offset = static_cast<std::uint32_t>(token_begin - begin);
-    file.tokens.push_back(token);
-    return file.tokens.back();
+    tokens.push_back(token);
+    return tokens.back();
   }
 };
 struct LexTag;
@@ -167,6 +169,45 @@ struct BlockComment : x3::parser<BlockComment> {
   }
 };
 
+constexpr std::size_t kLargeFile = 1u << 20;  // from this size on runs are looked for
+constexpr std::ptrdiff_t kSmallestRun = 4096;
+
+constexpr bool in_run(char c) {
+  return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '-' || c == '+' || c == '<' || c == '>' || c == 'e' || c == 'E' ||
+         class_of(c) == kBlank;
+}
+
+// The last place in (first, last) at which no token is cut: behind a `,` or a `>` that is not `>=`. `first` if there is none.
+const char* last_border(const char* first, const char* last, const char* end) {
+  for (const char* p = last; p != first; --p) {
+    if (p[-1] == ',' || (p[-1] == '>' && !(p != end && *p == '='))) return p;
+  }
+  return first;
+}
+
+// A long run of literals in a large file: one token, which is read when it is needed.
+struct Literals : x3::parser<Literals> {
+  using attribute_type = x3::unused_type;
+  static bool const has_attribute = false;
+  template <class It, class C, class R, class A>
+  bool parse(It& first, It const& last, C const& context, R&, A&) const {
+    LexState& state = x3::get<LexTag>(context).get();
+    if (state.next_run == nullptr || first < state.next_run) return false;
+    It p = first;
+    while (p != last && in_run(*p)) ++p;
+    const It border = last_border(first, p, last);
+    if (border - first < kSmallestRun) {
+      state.next_run = p;
+      return false;
+    }
+    state.push(TokenKind::kRun).index = static_cast<std::uint32_t>(state.file.runs.size());
+    state.file.runs.push_back({static_cast<std::uint32_t>(first - state.begin), static_cast<std::uint32_t>(border - state.begin)});
+    state.file.storage.release(static_cast<std::size_t>(first - state.begin), static_cast<std::size_t>(border - state.begin));
+    first = border;
+    return true;
+  }
+};
+
 // First byte -> class -> parser.
 template <class... P>
 struct Dispatch : x3::parser<Dispatch<P...>> {
@@ -212,7 +253,7 @@ void push_name(LexState& state, const char* end) {
 
 void push_string(LexState& state, const char* first, const char* last) {
   if (last - first > static_cast<std::ptrdiff_t>(kMaximumLength)) {
-    const bool closed = last != state.file.text.data() + state.file.text.size();
+    const bool closed = last != state.begin + state.file.text.size();
     throw LexFailure{state.token_begin, "String too long.", closed ? last + 1 : last};
   }
   std::string text;
@@ -266,13 +307,14 @@ auto make_tokens() {
 
   const auto blanks = x3::omit[Run<kBlank, kBlank>{}];
   const auto name = x3::raw[Run<kLetter, kDigit>{}][name_action];
-  const auto number = Real{}[number_action];
-  const auto dot = number | x3::omit[x3::lit('.')][single_action];
+  const auto literal = Real{}[number_action];
+  const auto number = Literals{} | literal;
+  const auto dot = literal | x3::omit[x3::lit('.')][single_action];
   const auto body = *(+~x3::char_("\"\\") | (x3::lit('\\') >> (x3::omit[x3::char_("\r\n")][broken] | x3::omit[~x3::char_("\r\n")])));
   const auto string = x3::lit('"') >> x3::raw[body][string_action] >> (x3::lit('"') | x3::omit[x3::eps][unclosed]);
   const auto line_comment = x3::lit("//") >> x3::omit[*~x3::char_("\r\n")];
   const auto slash = line_comment | BlockComment{} | x3::omit[x3::lit('/')][single_action];
-  const auto compare = x3::omit[x3::lit("<=")][kind_action(TokenKind::kLessEqual)] |
+  const auto compare = Literals{} | x3::omit[x3::lit("<=")][kind_action(TokenKind::kLessEqual)] |
                        x3::omit[x3::lit(">=")][kind_action(TokenKind::kGreaterEqual)] |
                        x3::omit[x3::lit("!=")][kind_action(TokenKind::kNotEqual)] |
                        x3::omit[x3::char_("<>!")][single_action];
@@ -282,16 +324,10 @@ auto make_tokens() {
 
 }  // namespace
 
-void lex(SourceFile& file, Names& names, bool main_file) {
-  const char* const begin = file.text.data();
-  const char* const end = begin + file.text.size();
-  const char* p = begin;
-  while (main_file && p != end && static_cast<unsigned char>(*p) > 127) ++p;
-  file.byte_order_mark = p != begin;
+namespace {
 
-  constexpr std::size_t kMostReserved = 16'000'000;
-  file.tokens.reserve(std::min(file.text.size() / 4 + 16, kMostReserved));
-  LexState state{file, names, begin};
+// From p to the end, past what cannot be read.
+void lex_text(LexState& state, const char* p, const char* end) {
   static const auto tokens = make_tokens();
   const auto grammar = x3::with<LexTag>(std::ref(state))[tokens];
   while (p != end) {
@@ -300,13 +336,50 @@ void lex(SourceFile& file, Names& names, bool main_file) {
       if (p != end) fail_illegal(p, end);
     } catch (const LexFailure& failure) {
       state.token_begin = failure.where;
-      state.push(TokenKind::kError).index = static_cast<std::uint32_t>(file.errors.size());
-      file.errors.push_back(failure.message);
-      p = std::max(failure.resume, p);
+      state.push(TokenKind::kError).index = static_cast<std::uint32_t>(state.file.errors.size());
+      state.file.errors.push_back(failure.message);
+      constexpr std::size_t kMostErrors = 1000;  // behind so many the file is no scene
+      p = state.file.errors.size() < kMostErrors ? std::max(failure.resume, p) : end;
     }
   }
   state.token_begin = end;
   state.push(TokenKind::kEnd);
+}
+
+}  // namespace
+
+void lex(SourceFile& file, Names& names, bool main_file, bool runs) {
+  const char* const begin = file.text.data();
+  const char* const end = begin + file.text.size();
+  const char* p = begin;
+  while (main_file && p != end && static_cast<unsigned char>(*p) > 127) ++p;
+  file.byte_order_mark = p != begin;
+
+  const bool large = runs && file.text.size() >= kLargeFile;
+  constexpr std::size_t kMostReserved = 16'000'000;
+  if (!large) file.tokens.reserve(std::min(file.text.size() / 4 + 16, kMostReserved));
+  LexState state{file, names, file.tokens, begin, large ? begin : nullptr};
+  lex_text(state, p, end);
+}
+
+void lex_run(SourceFile& file, Names& names, const LiteralRun& run, std::uint32_t& position, std::vector<Token>& tokens) {
+  constexpr std::uint32_t kChunk = 1u << 15;  // bytes
+  const char* const begin = file.text.data();
+  const char* const from = begin + position;
+  const char* const run_end = begin + run.end;
+  const char* to = run_end;
+  if (run.end - position > kChunk) to = last_border(from, from + kChunk, run_end);
+  if (to == from) to = run_end;
+  tokens.clear();
+  LexState state{file, names, tokens, begin, nullptr};
+  lex_text(state, from, to);
+  // The memory of what was read a while ago.
+  constexpr std::uint32_t kReleased = 1u << 22;
+  const auto end_position = static_cast<std::uint32_t>(to - begin);
+  if (position / kReleased != end_position / kReleased) {
+    file.storage.release(position > 2 * kReleased ? position - 2 * kReleased : 0, position);
+  }
+  position = end_position;
 }
 
 std::string_view name_of(TokenKind kind) {
@@ -316,6 +389,7 @@ std::string_view name_of(TokenKind kind) {
     case TokenKind::kNumber: return "float constant";
     case TokenKind::kString: return "string literal";
     case TokenKind::kName: return "undeclared identifier";
+    case TokenKind::kRun: return "float constant";
     case TokenKind::kWord: return "reserved word";
     case TokenKind::kIdentifier: return "identifier";
     case TokenKind::kLeftBrace: return "{";

@@ -33,33 +33,76 @@ void Names::grow() {
   buckets_ = std::move(bigger);
 }
 
+namespace {
+
+constexpr std::uint32_t kMarkDistance = 512;
+constexpr std::size_t kReleased = 16u << 20;  // memory of a mapped file that was passed is given back in pieces of this size
+
+// The line end at `i`: LF, CR, CRLF and LFCR each end one line. 0: there is none, else its length.
+std::uint32_t line_end(std::string_view text, std::uint32_t i) {
+  const char c = text[i];
+  if (c != '\n' && c != '\r') return 0;
+  const bool pair = i + 1 < text.size() && (text[i + 1] == '\n' || text[i + 1] == '\r') && text[i + 1] != c;
+  return pair ? 2 : 1;
+}
+
+}  // namespace
+
 void SourceFile::find_lines() const {
-  // LF, CR, CRLF and LFCR each end one line.
-  line_starts_.push_back(0);
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c != '\n' && c != '\r') continue;
-    if (i + 1 < text.size() && (text[i + 1] == '\n' || text[i + 1] == '\r') && text[i + 1] != c) ++i;
-    line_starts_.push_back(static_cast<std::uint32_t>(i + 1));
+  LineMark here;
+  line_marks_.push_back(here);
+  std::size_t released = 0;
+  for (std::uint32_t i = 0; i < text.size();) {
+    const std::uint32_t length = line_end(text, i);
+    i += length == 0 ? 1 : length;
+    if (length != 0) {
+      ++here.line;
+      here.line_start = i;
+    }
+    if (i - line_marks_.back().offset < kMarkDistance) continue;
+    here.offset = i;
+    line_marks_.push_back(here);
+    if (i - released >= kReleased) {
+      storage.release(released, i);
+      released = i;
+    }
   }
 }
 
 SourceLocation SourceFile::locate(std::uint32_t offset) const {
-  if (line_starts_.empty()) find_lines();
-  const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
-  const auto line = static_cast<std::uint32_t>(after - line_starts_.begin());
-  return {index, line, offset - *(after - 1) + 1};
+  if (line_marks_.empty()) find_lines();
+  const auto after = std::ranges::upper_bound(line_marks_, offset, {}, &LineMark::offset);
+  LineMark here = *(after - 1);
+  for (std::uint32_t i = here.offset; i < offset && i < text.size();) {
+    const std::uint32_t length = line_end(text, i);
+    i += length == 0 ? 1 : length;
+    if (length == 0 || i > offset) continue;
+    ++here.line;
+    here.line_start = i;
+  }
+  return {index, here.line, offset - here.line_start + 1};
 }
 
 std::string_view SourceFile::line(std::uint32_t number) const {
-  if (line_starts_.empty()) find_lines();
-  if (number == 0 || number > line_starts_.size()) return {};
-  const std::string_view rest = std::string_view(text).substr(line_starts_[number - 1]);
+  if (line_marks_.empty()) find_lines();
+  if (number == 0) return {};
+  // From the last mark that lies in an earlier line, or from the beginning.
+  const auto after = std::ranges::lower_bound(line_marks_, number, {}, &LineMark::line);
+  LineMark here = after == line_marks_.begin() ? LineMark{} : *(after - 1);
+  for (std::uint32_t i = here.offset; here.line < number;) {
+    if (i >= text.size()) return {};
+    const std::uint32_t length = line_end(text, i);
+    i += length == 0 ? 1 : length;
+    if (length == 0) continue;
+    ++here.line;
+    here.line_start = i;
+  }
+  const std::string_view rest = text.substr(here.line_start);
   return rest.substr(0, rest.find_first_of("\r\n"));
 }
 
 std::uint32_t token_end(const SourceFile& file, const Token& token) {
-  const std::string_view rest = std::string_view(file.text).substr(std::min<std::size_t>(token.offset, file.text.size()));
+  const std::string_view rest = file.text.substr(std::min<std::size_t>(token.offset, file.text.size()));
   const auto is_name = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   };

@@ -16,6 +16,7 @@ enum class TokenKind : std::uint8_t {
   kString,      // `index`: entry of SourceFile::strings, `\"` resolved, other escapes untouched
   kName,        // `index`: NameId of an identifier
   kWord,        // `word`
+  kRun,         // a long run of literals that is read when it is needed: `index` is an entry of SourceFile::runs
   kIdentifier,  // made by the reader: a name that holds a value
   // Punctuation.
   kLeftBrace, kRightBrace, kLeftParen, kRightParen, kLeftSquare, kRightSquare,

@@ -1,4 +1,7 @@
 // mesh2 { vertex_vectors {...} ... face_indices {...} ... } (specification chapter 21 §3.3).
+#include <algorithm>
+
+#include "parser/session.hpp"
 #include "parser/statement/mesh_builder.hpp"
 #include "parser/statement/simple_shape.hpp"
 #include "parser/statement/texture.hpp"
@@ -11,7 +14,7 @@ constexpr std::uint32_t kNone = MeshData::kNone;
 
 // What the lists of a mesh2 say, before they are checked against each other.
 struct Mesh2Lists {
-  std::vector<dvec3> vertices;  // rounded to single precision
+  std::vector<glm::vec3> vertices;
   std::vector<glm::vec3> normals;
   std::vector<dvec2> uvs;
   std::vector<TexturePtr> textures;
@@ -25,6 +28,14 @@ int parse_list_size(Reader& reader) {
   return size;
 }
 
+// Room for a list of that size, so that it does not grow by copying. Untouched memory costs nothing.
+template <class T>
+void make_room(Reader& reader, std::vector<T>& list, int size) {
+  const auto count = static_cast<std::size_t>(std::max(size, 0));
+  reader.session().resources.charge(count * sizeof(T));
+  list.reserve(count);
+}
+
 void warn_duplicate(Reader& reader, bool& given, Word keyword) {
   if (given) reader.warning("Duplicate " + std::string(spelling(keyword)) + " block; ignoring previous block.");
   given = true;
@@ -36,8 +47,9 @@ void parse_vertices(Reader& reader, Mesh2Lists& lists) {
   lists.vertices.clear();
   const int size = parse_list_size(reader);
   if (size <= 0) reader.error("No vertices in triangle mesh.");
+  make_room(reader, lists.vertices, size);
   for (int i = 0; i < size; ++i) {
-    lists.vertices.push_back(dvec3(single(reader.vector())));
+    lists.vertices.push_back(single(reader.vector()));
     reader.comma();
   }
   reader.close(Word::kVertexVectors);
@@ -48,6 +60,7 @@ void parse_normals(Reader& reader, Mesh2Lists& lists) {
   reader.open(Word::kNormalVectors);
   lists.normals.clear();
   const int size = parse_list_size(reader);
+  make_room(reader, lists.normals, size);
   for (int i = 0; i < size; ++i) {
     lists.normals.push_back(vertex_normal(reader, reader.vector(), "mesh2", lists.normals_warned));
     reader.comma();
@@ -60,6 +73,7 @@ void parse_uvs(Reader& reader, Mesh2Lists& lists) {
   reader.open(Word::kUvVectors);
   lists.uvs.clear();
   const int size = parse_list_size(reader);
+  make_room(reader, lists.uvs, size);
   for (int i = 0; i < size; ++i) {
     lists.uvs.push_back(reader.vector2());
     reader.comma();
@@ -119,8 +133,10 @@ void parse_faces(Reader& reader, const Mesh2Lists& lists, MeshData& data) {
   reader.open(Word::kFaceIndices);
   const int size = parse_list_size(reader);
   if (size <= 0) reader.error("No triangles in triangle mesh.");
+  make_room(reader, data.faces, size);
+  if (!lists.textures.empty()) make_room(reader, data.texture_indices, size);
   for (int i = 0; i < size; ++i) {
-    data.faces.push_back(parse_index_triple(reader, lists.vertices.size(), "Mesh face index out of range."));
+    data.faces.push_back(parse_index_triple(reader, data.vertices.size(), "Mesh face index out of range."));
     reader.comma();
     Indices textures{kNone, kNone, kNone};
     for (std::uint32_t& texture : textures) {
@@ -134,15 +150,20 @@ void parse_faces(Reader& reader, const Mesh2Lists& lists, MeshData& data) {
       texture = static_cast<std::uint32_t>(*number);
     }
     if (textures[1] == kNone || textures[2] == kNone) textures[1] = textures[2] = kNone;
-    data.texture_indices.push_back(textures);
+    if (!lists.textures.empty()) data.texture_indices.push_back(textures);
   }
   reader.close(Word::kFaceIndices);
 }
 
-std::vector<Indices> parse_index_list(Reader& reader, Word keyword, std::size_t list_size, const char* message) {
+// `fits`: whether a list may have that size.
+template <class Fits>
+std::vector<Indices> parse_index_list(Reader& reader, Word keyword, std::size_t list_size, const char* message, Fits fits,
+                                      const char* size_message) {
   reader.open(keyword);
   std::vector<Indices> list;
   const int size = parse_list_size(reader);
+  if (!fits(static_cast<std::size_t>(std::max(size, 0)))) reader.error(size_message);
+  make_room(reader, list, size);
   for (int i = 0; i < size; ++i) {
     list.push_back(parse_index_triple(reader, list_size, message));
     reader.comma();
@@ -152,10 +173,9 @@ std::vector<Indices> parse_index_list(Reader& reader, Word keyword, std::size_t 
 }
 
 // What is missing is taken from the faces, or one entry serves all.
-void settle_uv(Reader& reader, MeshData& data, const std::optional<std::vector<Indices>>& written) {
+void settle_uv(Reader& reader, MeshData& data, std::optional<std::vector<Indices>>& written) {
   if (written) {
-    if (written->size() != data.faces.size()) reader.error("Number of uv indices must equal number of faces.");
-    data.uv_indices = *written;
+    data.uv_indices = std::move(*written);
   } else if (data.uvs.size() == data.vertices.size()) {
     data.uv_indices = data.faces;
   } else if (data.uvs.size() == 1) {
@@ -165,10 +185,9 @@ void settle_uv(Reader& reader, MeshData& data, const std::optional<std::vector<I
   }
 }
 
-void settle_normals(Reader& reader, MeshData& data, const std::optional<std::vector<Indices>>& written) {
+void settle_normals(Reader& reader, MeshData& data, std::optional<std::vector<Indices>>& written) {
   if (written) {
-    if (written->size() > data.faces.size()) reader.error("Number of normal indices cannot be more than the number of faces.");
-    data.normal_indices = *written;
+    data.normal_indices = std::move(*written);
     data.normal_indices.resize(data.faces.size(), Indices{kNone, kNone, kNone});
   } else if (data.normals.empty()) {
     return;
@@ -182,35 +201,41 @@ void settle_normals(Reader& reader, MeshData& data, const std::optional<std::vec
       i = {kNone, kNone, kNone};
 }
 
-void compute_face_normals(const Mesh2Lists& lists, MeshData& data) {
+void compute_face_normals(MeshData& data) {
   data.face_normals.reserve(data.faces.size());
+  const auto vertex = [&](std::uint32_t i) { return dvec3(data.vertices[i]); };
   for (const Indices& face : data.faces)
-    data.face_normals.push_back(single(face_normal({lists.vertices[face[0]], lists.vertices[face[1]], lists.vertices[face[2]]})));
+    data.face_normals.push_back(single(face_normal({vertex(face[0]), vertex(face[1]), vertex(face[2])})));
 }
 
 }  // namespace
 
 Mesh parse_mesh2(Reader& reader) {
-  const Mesh2Lists lists = parse_lists(reader);
+  Mesh2Lists lists = parse_lists(reader);
   auto data = std::make_shared<MeshData>();
-  for (const dvec3& vertex : lists.vertices) data->vertices.push_back(single(vertex));
-  data->normals = lists.normals;
-  data->uvs = lists.uvs;
+  data->vertices = std::move(lists.vertices);
+  data->normals = std::move(lists.normals);
+  data->uvs = std::move(lists.uvs);
   data->textures.assign(lists.textures.begin(), lists.textures.end());
   parse_faces(reader, lists, *data);
   if (data->textures.empty()) data->texture_indices.clear();
 
+  const std::size_t faces = data->faces.size();
+  const auto as_many = [faces](std::size_t size) { return size == faces; };
+  const auto no_more = [faces](std::size_t size) { return size <= faces; };
   std::optional<std::vector<Indices>> uv, normals;
   while (true) {
     if (!uv && reader.accept(Word::kUvIndices))
-      uv = parse_index_list(reader, Word::kUvIndices, data->uvs.size(), "Mesh UV index out of range.");
+      uv = parse_index_list(reader, Word::kUvIndices, data->uvs.size(), "Mesh UV index out of range.", as_many,
+                            "Number of uv indices must equal number of faces.");
     else if (!normals && reader.accept(Word::kNormalIndices))
-      normals = parse_index_list(reader, Word::kNormalIndices, data->normals.size(), "Mesh normal index out of range.");
+      normals = parse_index_list(reader, Word::kNormalIndices, data->normals.size(), "Mesh normal index out of range.", no_more,
+                                 "Number of normal indices cannot be more than the number of faces.");
     else break;
   }
   settle_uv(reader, *data, uv);
   settle_normals(reader, *data, normals);
-  compute_face_normals(lists, *data);
+  compute_face_normals(*data);
 
   Mesh mesh;
   if (reader.accept(Word::kInsideVector)) mesh.inside_vector = reader.vector();

@@ -79,7 +79,7 @@ TEST_P(LanguageScene, WritesWhatTheReferenceWrites) {
 
 INSTANTIATE_TEST_SUITE_P(All, LanguageScene,
                          testing::Values("precedence", "numbers", "text", "control", "macros", "arrays_splines", "functions",
-                                         "colors", "geometry"),
+                                         "colors", "geometry", "files"),
                          [](const auto& test) { return test.param; });
 
 TEST(DebugStream, ShowsWhatTheReferenceShows) {
@@ -89,6 +89,31 @@ TEST(DebugStream, ShowsWhatTheReferenceShows) {
   ASSERT_TRUE(reference->result.succeeded()) << reference->said;
   ASSERT_TRUE(lute->result.succeeded()) << lute->said;
   EXPECT_EQ(lute->said, content(reference->folder.path() / "debug.txt"));
+}
+
+// What a scene sees of the command line: chapter 10 §12, check case 15.
+TEST(PredeclaredNames, AreTheReferences) {
+  const std::string scene =
+      "#version 3.7; global_settings { assumed_gamma 1 } #fopen W concat(\"out\", str(frame_number, 0, 0), \".txt\") write\n"
+      "#macro F(V) #write(W, str(V, 0, 12), \"\\n\") #end F(clock) F(clock_on) F(clock_delta) F(frame_number) F(initial_frame)\n"
+      "F(final_frame) F(initial_clock) F(final_clock) F(image_width) F(image_height) #ifdef (AA) F(AA) #end\n"
+      "#write(W, input_file_name) #fclose W camera { } sphere { 0, 1 }\n";
+  const std::vector<std::vector<std::string>> cases = {
+      {}, {"+K0.1"}, {"Declare=AA=1.23456789"}, {"+KFI1", "+KFF4", "+SF2", "+EF2"}, {"+KFI1", "+KFF4", "+KC", "+SF3", "+EF3"},
+      {"+KFI1", "+KFF3", "+KI2", "+KF5", "+SF2", "+EF2"}, {"+KFF1"}, {"+W1234567", "+EC1", "-F"}};
+  for (const std::vector<std::string>& switches : cases) {
+    const auto lute = run_lute(scene, switches);
+    const auto reference = run_reference(scene, switches);
+    std::string shown;
+    for (const std::string& word : switches) shown += word + " ";
+    int files = 0;
+    for (int frame = 0; frame <= 4; ++frame) {
+      const std::string name = "out" + std::to_string(frame) + ".txt";
+      if (fs::exists(reference->folder.path() / name)) ++files;
+      EXPECT_EQ(content(lute->folder.path() / name), content(reference->folder.path() / name)) << shown << name;
+    }
+    EXPECT_EQ(files, 1) << shown;
+  }
 }
 
 }  // namespace

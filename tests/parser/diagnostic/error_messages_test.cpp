@@ -104,7 +104,7 @@ const std::set<std::string> kNotInScenes = {
 // The texts that the parser's sources hand to the functions that report errors.
 std::set<std::string> messages_in_sources() {
   const std::regex call(
-      R"re((?:\bfail|fail_at|fail_after|\berror|error_expected|fail_expected|LexFailure)[({]\s*(?:[\w.]+,\s*)?"((?:[^"\\]|\\.)*)")re");
+      R"re((?:\bfail|fail_at|fail_after|\berror|error_expected|fail_expected|LexFailure|as_many|no_more)[({,]\s*(?:[\w.]+,\s*)?"((?:[^"\\]|\\.)*)")re");
   std::set<std::string> messages;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(LUTE_SOURCE_DIR "/parser")) {
     if (entry.path().extension() != ".cpp") continue;

@@ -12,7 +12,7 @@ namespace {
 std::vector<Token> tokens_of(std::string text) {
   Names names;
   SourceFile file;
-  file.text = std::move(text);
+  file.set_text(FileText(std::move(text)));
   lex(file, names, true);
   return file.tokens;
 }
@@ -26,7 +26,7 @@ double number(const std::string& text) {
 std::string first_error(std::string text) {
   Names names;
   SourceFile file;
-  file.text = std::move(text);
+  file.set_text(FileText(std::move(text)));
   lex(file, names, true);
   return file.errors.empty() ? "" : file.errors.front();
 }
@@ -84,7 +84,7 @@ TEST(Lexer, SkipsAByteOrderMark) {
 
 TEST(Lexer, EveryLineEndIsOneLine) {
   SourceFile file;
-  file.text = "a\nb\r\nc\rd\n\re";
+  file.set_text(FileText("a\nb\r\nc\rd\n\re"));
   EXPECT_EQ(file.locate(2).line, 2u);
   EXPECT_EQ(file.locate(5).line, 3u);
   EXPECT_EQ(file.locate(7).line, 4u);

@@ -119,6 +119,12 @@ TEST(Recovery, PrintsAndWritesNothingMore) {
   EXPECT_EQ(reading.printed, "before\n");
   EXPECT_FALSE(std::filesystem::exists(path));
   EXPECT_EQ(reading.diagnostics.size(), 1u);
+  const Reading open = read_text("#fopen F \"" + path + "\" write #write(F, \"before\")\nsphere { 0, foo }\n#write(F, \"behind\")");
+  EXPECT_EQ(open.diagnostics.size(), 1u);
+  std::ifstream in(path);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "before");
+  in.close();
+  std::filesystem::remove(path);
 }
 
 TEST(Recovery, HasNothingToDoInAScenesThatIsRight) { EXPECT_THAT(errors_of("sphere { 0, 1 }"), IsEmpty()); }

@@ -1,6 +1,8 @@
 // What the statements of a scene keep while it is read: the defaults in force, what was given, what was warned about.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -32,6 +34,7 @@ class SceneStatements : public StatementState {
   const TexturePtr& default_texture();  // one for all objects that are read between two `#default`s
 
   ImageFiles images;                    // files that the scene has read
+  std::map<std::string, std::shared_ptr<const std::string>> fonts;  // the contents of font files, by path
   bool camera_given = false;
   bool untyped_normals = false;         // some normal has no pattern (yet): objects of the scene must not have it
   std::size_t nesting = 0;              // of blocks being read

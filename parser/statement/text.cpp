@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "parser/session.hpp"
+#include "parser/statement/state.hpp"
 
 namespace lute {
 namespace {
@@ -27,9 +28,13 @@ std::string parse_font_name(Reader& reader) {
 std::shared_ptr<const std::string> load_font(Reader& reader, const std::string& name) {
   const auto path = reader.find_file(name, {".ttf", ".TTF"});
   if (!path) reader.error("Cannot open font file.", "missing-file");
-  std::ifstream file(*path, std::ios::binary);
-  if (!file) reader.error("Cannot open font file.", "missing-file");
-  return std::make_shared<const std::string>(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  std::shared_ptr<const std::string>& font = statements_of(reader).fonts[*path];
+  if (font == nullptr) {
+    std::ifstream file(*path, std::ios::binary);
+    if (!file) reader.error("Cannot open font file.", "missing-file");
+    font = std::make_shared<const std::string>(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+  return font;
 }
 
 }  // namespace

@@ -32,15 +32,21 @@ constexpr auto kOffsets = [] {
   return offsets;
 }();
 
+std::uint32_t low_bits(double c) { return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::clamp(c, -9e15, 9e15)) & 4095); }
+
+// A point and its cube.
+struct Place {
+  dvec3 point, cube;
+  explicit Place(const dvec3& p) : point(p), cube(fast_floor(p.x - kEpsilon), fast_floor(p.y - kEpsilon), fast_floor(p.z - kEpsilon)) {}
+  // Cubes side by side differ in it.
+  std::size_t number() const { return low_bits(cube.x) + 5 * std::size_t{low_bits(cube.y)} + 7 * std::size_t{low_bits(cube.z)}; }
+};
+
 // The cubes around a point.
 class Cubes {
  public:
-  explicit Cubes(const dvec3& p)
-      : point(p), cube(fast_floor(p.x - kEpsilon), fast_floor(p.y - kEpsilon), fast_floor(p.z - kEpsilon)) {
-    const auto low = [](double c) { return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::clamp(c, -9e15, 9e15)) & 4095); };
-    y_ = low(cube.y);
-    z_ = low(cube.z);
-    for (std::uint32_t i = 0; i < 5; ++i) hash_x_[i] = hash_[(low(cube.x) + i - 2) & 4095];
+  explicit Cubes(const Place& place) : point(place.point), cube(place.cube), y_(low_bits(cube.y)), z_(low_bits(cube.z)) {
+    for (std::uint32_t i = 0; i < 5; ++i) hash_x_[i] = hash_[(low_bits(cube.x) + i - 2) & 4095];
   }
 
   dvec3 feature(const Offset& o) const {
@@ -48,8 +54,6 @@ class Cubes {
     const double* r = random_ + hash_[hash_[hash_x_[static_cast<std::size_t>(o.x + 2)] ^ step(y_, o.y)] ^ step(z_, o.z)];
     return {cube.x + o.x + r[0], cube.y + o.y + r[1], cube.z + o.z + r[2]};
   }
-  // Cubes side by side differ in it.
-  std::size_t place() const { return (hash_x_[2] & 1u) + 5 * y_ + 7 * z_ + 3 * (hash_x_[2] >> 1); }
 
   const dvec3 point, cube;
 
@@ -207,32 +211,32 @@ constexpr std::size_t kInner = 27;
 
 class CubePoints {
  public:
-  void fill(const Cubes& cubes) {
-    inner_.fill(cubes);
+  void fill(const Place& place) {
+    inner_.fill(Cubes(place));
     outer_filled_ = false;
   }
 
   template <DistancePower Power>
-  FeaturePoints nearest(const Cubes& cubes, int wanted, const Power& power) {
+  FeaturePoints nearest(const Place& place, int wanted, const Power& power) {
     Nearest nearest;
-    inner_.add_to(nearest, cubes.point, power);
-    if (nearest.points.distance[wanted - 1] > 1) outer(cubes).add_to(nearest, cubes.point, power);
+    inner_.add_to(nearest, place.point, power);
+    if (nearest.points.distance[wanted - 1] > 1) outer(place).add_to(nearest, place.point, power);
     return nearest.points;
   }
   template <DistancePower Power>
-  FeaturePoints nearest(const Cubes& cubes, int wanted, const Power& power, double metric) {
+  FeaturePoints nearest(const Place& place, int wanted, const Power& power, double metric) {
     Nearest nearest;
     double radius = std::numeric_limits<double>::infinity();
-    inner_.add_within(nearest, radius, cubes.point, wanted, power, metric);
-    if (nearest.points.distance[wanted - 1] > 1) outer(cubes).add_within(nearest, radius, cubes.point, wanted, power, metric);
+    inner_.add_within(nearest, radius, place.point, wanted, power, metric);
+    if (nearest.points.distance[wanted - 1] > 1) outer(place).add_within(nearest, radius, place.point, wanted, power, metric);
     return nearest.points;
   }
 
  private:
   using Outer = PointBlock<kInner, kOffsets.size() - kInner>;
 
-  const Outer& outer(const Cubes& cubes) {
-    if (!outer_filled_) outer_.fill(cubes);
+  const Outer& outer(const Place& place) {
+    if (!outer_filled_) outer_.fill(Cubes(place));
     outer_filled_ = true;
     return outer_;
   }
@@ -246,15 +250,15 @@ class CubePoints {
 // filled when it is asked for the second time in a row, because a single question needs fewer points.
 class CubeMemory {
  public:
-  CubePoints* find(const Cubes& cubes) {
-    Entry& entry = entries_[cubes.place() % kEntries];
-    if (entry.asked == 0 || entry.cube != cubes.cube) {
-      entry.cube = cubes.cube;
+  CubePoints* find(const Place& place) {
+    Entry& entry = entries_[place.number() % kEntries];
+    if (entry.asked == 0 || entry.cube != place.cube) {
+      entry.cube = place.cube;
       entry.asked = 1;
       return nullptr;
     }
     if (entry.asked == 1) {
-      entry.points.fill(cubes);
+      entry.points.fill(place);
       entry.asked = 2;
     }
     return &entry.points;
@@ -277,21 +281,21 @@ CubeMemory& cube_memory() {
 }
 
 template <DistancePower Power>
-FeaturePoints nearest_cheaply(const Cubes& cubes, int wanted, const Power& power) {
-  if (CubePoints* points = cube_memory().find(cubes)) return points->nearest(cubes, wanted, power);
-  return nearest_by_metric(cubes, wanted, power);
+FeaturePoints nearest_cheaply(const Place& place, int wanted, const Power& power) {
+  if (CubePoints* points = cube_memory().find(place)) return points->nearest(place, wanted, power);
+  return nearest_by_metric(Cubes(place), wanted, power);
 }
 
 template <DistancePower Power>
-FeaturePoints nearest_dearly(const Cubes& cubes, int wanted, const Power& power, double metric) {
+FeaturePoints nearest_dearly(const Place& place, int wanted, const Power& power, double metric) {
   // Below 1 the distance along one axis says little.
-  if (metric < 1) return nearest_by_metric(cubes, wanted, power);
-  if (CubePoints* points = cube_memory().find(cubes)) return points->nearest(cubes, wanted, power, metric);
-  return nearest_by_axis(cubes, wanted, power, metric);
+  if (metric < 1) return nearest_by_metric(Cubes(place), wanted, power);
+  if (CubePoints* points = cube_memory().find(place)) return points->nearest(place, wanted, power, metric);
+  return nearest_by_axis(Cubes(place), wanted, power, metric);
 }
 
 dvec3 nearest_by_signed_sum(const dvec3& p) {
-  const Cubes cubes(p);
+  const Cubes cubes{Place(p)};
   double best = std::numeric_limits<double>::infinity();
   dvec3 nearest{0};
   for (const Offset& o : kOffsets) {
@@ -307,14 +311,14 @@ dvec3 nearest_by_signed_sum(const dvec3& p) {
 }  // namespace
 
 FeaturePoints crackle_points(const dvec3& p, double metric, int wanted) {
-  const Cubes cubes(p);
-  if (metric == 2) return nearest_cheaply(cubes, wanted, [](double d) { return d * d; });
-  if (metric == 1) return nearest_cheaply(cubes, wanted, [](double d) { return std::fabs(d); });
-  if (!(metric > 0)) return nearest_of_all(cubes, metric);
+  const Place place(p);
+  if (metric == 2) return nearest_cheaply(place, wanted, [](double d) { return d * d; });
+  if (metric == 1) return nearest_cheaply(place, wanted, [](double d) { return std::fabs(d); });
+  if (!(metric > 0)) return nearest_of_all(Cubes(place), metric);
   const double halves = 2 * metric;
   if (metric <= kLargestHalfPower && halves == fast_floor(halves))
-    return nearest_dearly(cubes, wanted, HalfPower{static_cast<int>(metric), static_cast<int>(halves) % 2 != 0}, metric);
-  return nearest_dearly(cubes, wanted, [metric](double d) { return std::pow(std::fabs(d), metric); }, metric);
+    return nearest_dearly(place, wanted, HalfPower{static_cast<int>(metric), static_cast<int>(halves) % 2 != 0}, metric);
+  return nearest_dearly(place, wanted, [metric](double d) { return std::pow(std::fabs(d), metric); }, metric);
 }
 
 dvec3 facet_point(const dvec3& p, double metric) { return metric == 1 ? nearest_by_signed_sum(p) : crackle_points(p, metric, 1).nearest; }

@@ -31,18 +31,6 @@ struct Power {
   }
 };
 
-template <class Raise>
-double iterate(const FractalSettings& settings, const Raise& raise, FractalPoint z, const FractalPoint& c) {
-  double nearest2 = norm2(z);
-  for (int n = 0; n < settings.iterations; ++n) {
-    z = raise(z) + c;
-    const double size2 = norm2(z);
-    nearest2 = std::min(nearest2, size2);
-    if (size2 > 4) return exterior_value(settings, n, z);
-  }
-  return interior_value(settings, z, nearest2);
-}
-
 // What the steps of a magnet make of the constant.
 class MagnetStep {
  public:
@@ -59,6 +47,31 @@ class MagnetStep {
   int type_;
   FractalPoint c_, c1_, c2_, c12_;
 };
+
+// Counts steps until `escaped(z, |z|²)`. Points that never escape mostly fall into a cycle, to the last bit: once z comes back to a
+// value that it had, nothing new comes, and whole turns are left out (Brent, "An improved Monte Carlo factorization algorithm", 1980).
+template <class Step, class Escaped>
+double iterate(const FractalSettings& settings, FractalPoint z, double nearest2, const Step& step, const Escaped& escaped) {
+  FractalPoint mark = z;
+  int marked_at = 0, next_mark = 8;
+  bool turning = false;
+  for (int n = 0; n < settings.iterations; ++n) {
+    z = step(z);
+    const double size2 = norm2(z);
+    nearest2 = std::min(nearest2, size2);
+    if (escaped(z, size2)) return exterior_value(settings, n, z);
+    if (z.re == mark.re && z.im == mark.im && !turning) {
+      const int period = n + 1 - marked_at, left = settings.iterations - 1 - n;
+      n += left - left % period;
+      turning = true;
+    } else if (n + 1 == next_mark) {
+      mark = z;
+      marked_at = n + 1;
+      next_mark = next_mark < settings.iterations ? 2 * next_mark : 0;
+    }
+  }
+  return interior_value(settings, z, nearest2);
+}
 
 }  // namespace
 
@@ -97,18 +110,14 @@ double interior_value(const FractalSettings& settings, const FractalPoint& z, do
 }
 
 double iterate_power(const FractalSettings& settings, int exponent, FractalPoint z, const FractalPoint& c) {
-  return exponent == 2 ? iterate(settings, Square(), z, c) : iterate(settings, Power{exponent}, z, c);
+  const auto escaped = [](const FractalPoint&, double size2) { return size2 > 4; };
+  if (exponent == 2) return iterate(settings, z, norm2(z), [c](FractalPoint p) { return Square()(p) + c; }, escaped);
+  return iterate(settings, z, norm2(z), [c, power = Power{exponent}](FractalPoint p) { return power(p) + c; }, escaped);
 }
 
 double iterate_magnet(const FractalSettings& settings, int type, FractalPoint z, const FractalPoint& c, double nearest2) {
-  const MagnetStep step(type, c);
-  for (int n = 0; n < settings.iterations; ++n) {
-    z = step(z);
-    const double size2 = norm2(z);
-    nearest2 = std::min(nearest2, size2);
-    if (size2 > 10000 || norm2(z - 1) < 0.0001) return exterior_value(settings, n, z);
-  }
-  return interior_value(settings, z, nearest2);
+  const auto escaped = [](const FractalPoint& p, double size2) { return size2 > 10000 || norm2(p - 1) < 0.0001; };
+  return iterate(settings, z, nearest2, MagnetStep(type, c), escaped);
 }
 
 }  // namespace lute

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   lute::compare::add_state_command(app, exit_code);
   lute::compare::add_coverage_command(app, exit_code);
   lute::compare::add_sweep_command(app, exit_code);
+  lute::compare::add_noise_command(app, exit_code);
   lute::compare::add_parse_command(app, exit_code);
   lute::compare::add_speed_command(app, exit_code);
   try {

@@ -80,7 +80,8 @@ class Landscape final : public ScannedShape<Landscape> {
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
     const Ray local = to_world_.inverse_ray(ray);
-    if (!cut(local, {0, low_, 0}, {grid_->width - 1.0, high_, grid_->depth - 1.0}, range)) return;
+    const dvec3 reciprocal = 1.0 / local.direction;
+    if (!cut(local, reciprocal, {0, low_, 0}, {grid_->width - 1.0, high_, grid_->depth - 1.0}, range)) return;
     struct Square {
       int level, x, z;
     };
@@ -91,7 +92,7 @@ class Landscape final : public ScannedShape<Landscape> {
     const int far_z = local.direction.z < 0 ? 0 : 1;
     while (top > 0) {
       const Square s = stack[--top];
-      if (!meets_square(s.level, s.x, s.z, local, range)) continue;
+      if (!meets_square(s.level, s.x, s.z, local, reciprocal, range)) continue;
       if (s.level == 0) {
         if (scan_cell(s.x, s.z, local, range, sink)) return;
         continue;
@@ -141,27 +142,26 @@ class Landscape final : public ScannedShape<Landscape> {
   }
 
  private:
-  // Cuts `range` down to the ray's passage through a box.
-  static bool cut(const Ray& ray, const dvec3& lo, const dvec3& hi, Interval& range) {
+  // Cuts `range` down to the ray's passage through a box. `reciprocal` is that of the direction: divisions would take half the time.
+  static bool cut(const Ray& ray, const dvec3& reciprocal, const dvec3& lo, const dvec3& hi, Interval& range) {
     for (int axis = 0; axis < 3; ++axis) {
       const double p = ray.origin[axis];
-      const double d = ray.direction[axis];
-      if (d == 0) {
+      if (ray.direction[axis] == 0) {
         if (p < lo[axis] || p > hi[axis]) return false;
         continue;
       }
-      double near = (lo[axis] - p) / d;
-      double far = (hi[axis] - p) / d;
+      double near = (lo[axis] - p) * reciprocal[axis];
+      double far = (hi[axis] - p) * reciprocal[axis];
       if (near > far) std::swap(near, far);
       range = {std::max(range.lo, near), std::min(range.hi, far)};
     }
     return !range.empty();
   }
 
-  bool meets_square(int level, int x, int z, const Ray& ray, Interval range) const {
+  bool meets_square(int level, int x, int z, const Ray& ray, const dvec3& reciprocal, Interval range) const {
     const HeightPyramid::Range heights = pyramid_->range(level, x, z);
-    const double side = std::ldexp(1.0, level);
-    return cut(ray, {x * side - kCellSlack, heights.lo - kSlabSlack, z * side - kCellSlack},
+    const double side = static_cast<double>(1ll << level);
+    return cut(ray, reciprocal, {x * side - kCellSlack, heights.lo - kSlabSlack, z * side - kCellSlack},
                {(x + 1) * side + kCellSlack, heights.hi + kSlabSlack, (z + 1) * side + kCellSlack}, range);
   }
 

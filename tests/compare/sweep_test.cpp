@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+#include "compare/sweep_summary.hpp"
+
 namespace lute::compare {
 namespace {
 
@@ -35,6 +37,32 @@ TEST(Sweep, NamesTheMethodOfTheSwitches) {
   EXPECT_EQ(method_of("+AM3"), "method 3");
   EXPECT_EQ(method_of("+AM3 +AE0.01"), "method 3");
   EXPECT_EQ(method_of("+AM2 -A"), "no antialiasing");
+}
+
+// Halfway on the log–log chart between (1 s, 0.1) and (4 s, 0.025) lies (2 s, 0.05).
+TEST(Sweep, TimeAtAnErrorLiesOnTheChartsLine) {
+  const SweepPoint cheap = point(1, 0.1), dear = point(4, 0.025), useless = point(3, 0.2);
+  const std::vector<const SweepPoint*> curve{&dear, &cheap, &useless};
+  EXPECT_DOUBLE_EQ(time_at_error(curve, 0.05).value(), 2);
+  EXPECT_DOUBLE_EQ(time_at_error(curve, 0.025).value(), 4);
+  EXPECT_DOUBLE_EQ(time_at_error(curve, 0.5).value(), 1);
+  EXPECT_FALSE(time_at_error(curve, 0.01));
+  EXPECT_FALSE(time_at_error({}, 0.1));
+}
+
+TEST(Sweep, SummaryCountsScenesWithHalfTheTime) {
+  const auto sweep_with = [](double own_cpu) {
+    SweepPoint theirs = point(2, 0.05), ours = point(own_cpu, 0.05);
+    theirs.program = "POV-Ray";
+    theirs.method = "method 2";
+    ours.method = "method 3";
+    Sweep sweep;
+    sweep.points = {theirs, ours};
+    return sweep;
+  };
+  EXPECT_DOUBLE_EQ(time_share(sweep_with(0.5)).value(), 0.25);
+  EXPECT_NE(summary({sweep_with(0.5), sweep_with(1.5)}).find("on 1 of 2 scenes"), std::string::npos);
+  EXPECT_EQ(summary({Sweep{}}), "");
 }
 
 TEST(Sweep, PageHasAChartWithEveryPoint) {

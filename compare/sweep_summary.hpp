@@ -1,0 +1,32 @@
+// What a sweep says in one number: the processor time of lute's method 3, +AM3, as a share of that of POV-Ray's method
+// 2 at equal error.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/sweep.hpp"
+
+namespace lute::compare {
+
+struct EqualError {
+  std::string setting;       // of a point of POV-Ray, on the front of its method 2
+  double rmse = 0;           // its error
+  double reference_cpu = 0;  // seconds
+  double own_cpu = 0;        // seconds of +AM3 for the same error
+  double share() const { return own_cpu / reference_cpu; }
+};
+
+// The time at which a curve reaches an error, on straight lines of the log–log chart between its points. Where the
+// cheapest point is already better, its time; none where the dearest is not good enough.
+std::optional<double> time_at_error(std::vector<const SweepPoint*> curve, double rmse);
+
+std::vector<EqualError> at_equal_error(const Sweep& sweep);
+// The median share; none if no point can be compared.
+std::optional<double> time_share(const Sweep& sweep);
+
+// "+AM3 needs at most half of the processor time of POV-Ray's +AM2 at equal error on 8 of 10 scenes."
+std::string summary(const std::vector<Sweep>& sweeps);
+
+}  // namespace lute::compare

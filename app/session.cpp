@@ -8,6 +8,7 @@
 
 #include "app/interrupt.hpp"
 #include "engine/plan/render_plan.hpp"
+#include "engine/plan/sampling_plan.hpp"
 #include "parser/dump/dump.hpp"
 #include "parser/options/option_table.hpp"
 
@@ -43,8 +44,11 @@ ExitCode inspect(const RenderOptions& options, const std::optional<std::string>&
   const std::vector<Frame> frames = frames_of(options);
   const Frame frame = frames.empty() ? Frame{} : frames.front();
   const ParseResult parsed = parse_frame(options, frame, text, console);
-  if (parsed.ok && options.action == Action::kExplain)
-    print(make_plan(parsed.scene, build_options(options)).text(parsed.scene));
+  if (parsed.ok && options.action == Action::kExplain) {
+    RenderPlan plan = make_plan(parsed.scene, build_options(options));
+    plan_sampling(parsed.scene, options.antialiasing, options.statistics, plan);
+    print(plan.text(parsed.scene));
+  }
   if (parsed.ok && options.action == Action::kDumpScene) print(dump_scene(parsed.scene).dump(2));
   console.finish(false);
   return parsed.ok ? ExitCode::kDone : ExitCode::kFailed;

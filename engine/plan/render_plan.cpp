@@ -102,7 +102,7 @@ void plan_surroundings(const Scene& scene, const SceneSurvey& s, PlanWriter& out
   plan.fog = out.item("fog", fog, "the scene has fog", "no fog", 9);
   plan.rainbow = out.item("rainbow", rainbow, "the scene has a rainbow", "no rainbow", 9);
   plan.volume_effects = plan.fog || plan.rainbow;
-  plan.interiors = out.item("interiors around the camera", either(either(s.translucent, s.fading), either(fog, rainbow)),
+  plan.interiors = out.item("camera interiors", either(either(s.translucent, s.fading), either(fog, rainbow)),
                             "rays pass surfaces, or something fills space", "no ray passes a surface and nothing fills space");
   if (plan.volume_effects)
     out.add("hollow interiors", true, "needed because fog and rainbow fill only what is hollow", s.hollow.where);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/build/built_scene.hpp"
+#include "engine/plan/feature.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace lute {
@@ -24,18 +25,18 @@ struct RenderPlan {
   bool shadows = false;           // some light casts shadows and quality asks for them
   bool filtered_shadows = false;  // some object lets light through: shadow rays have to gather colours
   bool area_lights = false;
-  bool transmission = false;      // some surface lets a ray pass
-  bool reflection = false;
-  bool normals = false;           // some normal pattern perturbs
-  bool highlights = false;        // phong or specular
+  Feature<kTransmissionCompiled> transmission;  // some surface lets a ray pass
+  Feature<kReflectionCompiled> reflection;
+  Feature<kNormalsCompiled> normals;            // some normal pattern perturbs
+  Feature<kHighlightsCompiled> highlights;      // phong or specular
   bool iridescence = false;
   bool sky_sphere = false;
-  bool fog = false;
-  bool rainbow = false;
+  Feature<kFogCompiled> fog;
+  Feature<kFogCompiled> rainbow;
   bool light_groups = false;
   bool uv_patterns = false;       // some texture asks for surface coordinates
   bool interiors = false;         // what a ray begins in matters: it may leave it, fade in it, or find fog
-  bool volume_effects = false;    // fog, rainbow or media: rays have to know whether they are hollow
+  Feature<kFogCompiled> volume_effects;  // fog, rainbow or media: rays have to know whether they are hollow
 
   std::vector<PlanItem> items;
 

@@ -10,6 +10,13 @@ void note(Seen& seen, SourceLocation where) {
   if (seen.count++ == 0) seen.where = where;
 }
 
+// A texture that an object's pigment, normal or finish began has no statement of its own.
+SourceLocation place_of(const Texture& t) {
+  if (t.where.line != 0) return t.where;
+  const auto* layers = std::get_if<std::vector<TextureLayer>>(&t.content);
+  return layers != nullptr && !layers->empty() ? layers->front().pigment->where : t.where;
+}
+
 bool lets_through(const Color& c) { return c.filter != 0 || c.transmit != 0; }
 
 }  // namespace
@@ -104,13 +111,13 @@ void SceneSurvey::interior(const Interior& i) {
 void SceneSurvey::texture(const Texture& t) {
   if (!first_visit(&t)) return;
   if (const auto* layers = std::get_if<std::vector<TextureLayer>>(&t.content)) {
-    if (layers->size() > 1) note(layered_texture, t.where);
+    if (layers->size() > 1) note(layered_texture, place_of(t));
     // Light passes a texture where it passes all of its layers.
     if (std::ranges::none_of(*layers, [](const TextureLayer& l) { return certainly_opaque(*l.pigment); })) {
-      note(translucent, t.where);
-      note(non_opaque, t.where);
+      note(translucent, place_of(t));
+      note(non_opaque, place_of(t));
     }
-    for (const TextureLayer& l : *layers) layer(l, t.where);
+    for (const TextureLayer& l : *layers) layer(l, place_of(t));
     return;
   }
   const auto& patterned = std::get<PatternedTexture>(t.content);

@@ -1,0 +1,35 @@
+#include "engine/plan/sampling_plan.hpp"
+
+namespace lute {
+namespace {
+
+constexpr SourceLocation kNowhere{};
+
+}  // namespace
+
+void plan_sampling(const Scene& scene, const Antialiasing& antialiasing, bool estimate_error, RenderPlan& plan) {
+  const auto add = [&](const char* group, const char* name, bool needed, const std::string& because,
+                       const std::string& otherwise, SourceLocation where = kNowhere) {
+    plan.items.push_back({group, name, needed, needed ? "needed because " + because : "left out: " + otherwise,
+                          needed ? where : kNowhere});
+  };
+  const int method = antialiasing.method;
+  const bool driven = method == 3;
+  add("buffers", "film", true, "every picture is collected in one", "");
+  add("buffers", "estimated errors", driven || estimate_error,
+      driven ? "antialiasing follows them" : "--stats asks for them", "neither +AM3 nor --stats");
+  add("buffers", "corner samples", driven, "antialiasing begins from them", "not +AM3");
+
+  add("passes", "antialiasing", method != 0, "the options ask for method " + std::to_string(method),
+      "one sample a pixel");
+  add("passes", "second pass", driven, "antialiasing needs the pixels around each", "pixels are finished in one pass");
+
+  const bool blur = scene.camera.aperture != 0 && scene.camera.blur_samples_max > 0;
+  const bool jitter = (method == 1 || method == 2) && antialiasing.jitter != 0;
+  add("tables", "lens positions", blur, "the camera has an aperture", "the camera is a pinhole", scene.camera.where);
+  add("tables", "jitter", jitter || blur, jitter ? "antialiasing moves its samples" : "the camera has an aperture",
+      "no sample is moved");
+  add("tables", "Sobol cells", driven, "antialiasing divides pixels into them", "not +AM3");
+}
+
+}  // namespace lute

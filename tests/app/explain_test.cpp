@@ -1,0 +1,70 @@
+// What `lute --explain` says about twenty scenes, word for word: tests/app/explain/NAME.txt. LUTE_UPDATE_GOLDEN=1
+// writes the files anew; read the difference before you keep it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <ostream>
+
+#include "compare/process.hpp"
+#include "compare/scratch_folder.hpp"
+
+namespace lute {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Explained {
+  const char* scene;  // below scenes/
+  std::vector<std::string> switches = {};
+};
+
+void PrintTo(const Explained& explained, std::ostream* out) { *out << explained.scene; }
+
+std::string name_of(const Explained& explained) {
+  std::string name = fs::path(explained.scene).stem().string();
+  for (const std::string& word : explained.switches) name += "_" + word.substr(1);
+  return name;
+}
+
+const Explained kScenes[] = {
+    {"lecture/background.pov"},      {"lecture/brick.pov"},           {"lecture/color_map.pov"},
+    {"lecture/csg_difference.pov"},  {"lecture/cylinder_light.pov"},  {"lecture/filter_transmit.pov"},
+    {"lecture/finish.pov"},          {"lecture/interior_fade.pov"},   {"lecture/mesh2.pov"},
+    {"lecture/mirror.pov"},          {"lecture/parallel_light.pov"},  {"lecture/refraction.pov"},
+    {"lecture/sky_sphere.pov"},      {"lecture/smooth_triangle.pov"}, {"lecture/spotlight.pov"},
+    {"lecture/torus.pov"},           {"lecture/torus.pov", {"+Q3"}},  {"lecture/torus.pov", {"+A"}},
+    {"lecture/torus.pov", {"+AM3"}}, {"lecture/torus.pov", {"+UA"}},  {"showcase/lute.pov"}};
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path);
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+class Explain : public testing::TestWithParam<Explained> {};
+
+TEST_P(Explain, SaysWhatItSaid) {
+  const fs::path scene = fs::path(LUTE_SOURCE_DIR) / "scenes" / GetParam().scene;
+  const compare::ScratchFolder folder;
+  compare::ProcessRequest request;
+  request.arguments = {LUTE_BINARY_DIR "/lute", "--explain", scene.filename().string()};
+  request.arguments.insert(request.arguments.end(), GetParam().switches.begin(), GetParam().switches.end());
+  request.working_directory = scene.parent_path();
+  request.standard_output = folder.path() / "plan";
+  ASSERT_TRUE(compare::run_process(request).succeeded());
+  const std::string plan = content(request.standard_output);
+  const fs::path golden = fs::path(LUTE_SOURCE_DIR) / "tests" / "app" / "explain" / (name_of(GetParam()) + ".txt");
+  if (std::getenv("LUTE_UPDATE_GOLDEN") != nullptr) std::ofstream(golden) << plan;
+  EXPECT_EQ(plan, content(golden)) << golden;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Explain, testing::ValuesIn(kScenes), [](const auto& test) {
+  std::string name;
+  for (const char c : name_of(test.param)) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return name;
+});
+
+}  // namespace
+}  // namespace lute

@@ -38,8 +38,9 @@ compare: setup-test build
 
 bench: setup-bench build/build.ninja
 	@cmake --preset release -DLUTE_BUILD_BENCH=ON >/dev/null
-	@cmake --build build --target lute-bench-accel
+	@cmake --build build --target lute-bench-accel lute-bench-noise
 	@build/bin/lute-bench-accel --benchmark_min_time=1
+	@build/bin/lute-bench-noise --benchmark_min_time=1
 
 build/build.ninja: | setup
 	@cmake --preset release >/dev/null

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/math/rounding.hpp"
+#include "engine/texture/noise_tables.hpp"
 #include "engine/texture/warp.hpp"
 
 namespace lute {
@@ -187,6 +188,8 @@ constexpr std::size_t kRandomNumbers = 32768;
 }  // namespace
 
 const std::uint16_t* hash_numbers() { return kHash.data(); }
+
+const double* noise_gradients() { return kGradients.data(); }
 
 std::uint32_t hash_table(std::uint32_t index) { return kHash[index & 4095u]; }
 

@@ -17,8 +17,8 @@ struct SpeedOptions : RunOptions {
 };
 
 std::string circumstances(const ReportContext& context) {
-  return context.machine + ", `" + context.switches.substr(0, context.switches.find_last_not_of(' ') + 1) + "`, lute " +
-         context.lute_version + ", POV-Ray " + context.reference_version +
+  return context.machine + ", `" + context.switches.substr(0, context.switches.find_last_not_of(' ') + 1) + "`, " +
+         context.lute_version + ", " + context.reference_version +
          "; processor time of the whole process, start-up included.";
 }
 

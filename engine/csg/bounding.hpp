@@ -17,16 +17,18 @@ class BoxTest {
   // True if the ray meets the closed box at a depth in `range`. Depths are widened by a few units in the last place, so that a
   // hit on the box's own surface is never lost.
   bool meets(Interval range, const Aabb& box) const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     constexpr double kWider = 4 * std::numeric_limits<double>::epsilon();
+    double near = -kInfinity, far = kInfinity;
     for (int axis = 0; axis < 3; ++axis) {
       // For a ray along the box's side zero times infinity is not a number; such a depth limits nothing.
       const bool backward = std::signbit(inverse_[axis]);
-      const double near = ((backward ? box.hi : box.lo)[axis] - origin_[axis]) * inverse_[axis];
-      const double far = ((backward ? box.lo : box.hi)[axis] - origin_[axis]) * inverse_[axis];
-      range.lo = std::max(range.lo, near * (near > 0 ? 1 - kWider : 1 + kWider));
-      range.hi = std::min(range.hi, far * (far > 0 ? 1 + kWider : 1 - kWider));
+      near = std::max(near, ((backward ? box.hi : box.lo)[axis] - origin_[axis]) * inverse_[axis]);
+      far = std::min(far, ((backward ? box.lo : box.hi)[axis] - origin_[axis]) * inverse_[axis]);
     }
-    return range.lo <= range.hi;
+    near *= near > 0 ? 1 - kWider : 1 + kWider;
+    far *= far > 0 ? 1 + kWider : 1 - kWider;
+    return std::max(range.lo, near) <= std::min(range.hi, far);
   }
 
  private:

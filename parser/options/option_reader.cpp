@@ -129,7 +129,7 @@ class Reader {
     const OptionRow* best = nullptr;
     for (const OptionRow& row : option_table()) {
       if (row.switch_name.empty() || (best != nullptr && row.switch_name.size() <= best->switch_name.size())) continue;
-      if (body.starts_with(lower_case(row.switch_name)) &&
+      if (body.size() >= row.switch_name.size() && equal_ignoring_case(body.substr(0, row.switch_name.size()), row.switch_name) &&
           tail_fits(row, unquoted(body.substr(row.switch_name.size()))))
         best = &row;
     }
@@ -249,15 +249,21 @@ class Reader {
     throw OptionError("unknown option '--" + name + "'", suggestion(name, names, "--"));
   }
 
-  void assign(const std::string& keyword, const std::string& text) {
-    const OptionRow* row = nullptr;
+  [[noreturn]] static void unknown_keyword(const std::string& keyword) {
     std::vector<std::string> keywords;
-    for (const OptionRow& candidate : option_table()) {
-      if (candidate.keyword.empty()) continue;
-      keywords.emplace_back(candidate.keyword);
-      if (lower_case(candidate.keyword) == lower_case(keyword)) row = &candidate;
+    for (const OptionRow& row : option_table()) {
+      if (!row.keyword.empty()) keywords.emplace_back(row.keyword);
     }
-    if (row == nullptr) throw OptionError("unknown option '" + keyword + "'", suggestion(keyword, keywords, ""));
+    throw OptionError("unknown option '" + keyword + "'", suggestion(keyword, keywords, ""));
+  }
+
+  void assign(const std::string& keyword, const std::string& text) {
+    const auto table = option_table();
+    const auto found = std::ranges::find_if(table, [&](const OptionRow& candidate) {
+      return !candidate.keyword.empty() && equal_ignoring_case(candidate.keyword, keyword);
+    });
+    if (found == table.end()) unknown_keyword(keyword);
+    const OptionRow* const row = &*found;
     if (row->keyword == "Include_Ini") {
       include_ini(text);
       return;

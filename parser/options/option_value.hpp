@@ -31,6 +31,7 @@ DitherMethod dither_method(std::string_view text);
 std::pair<std::string, std::string> declaration(std::string_view text);
 
 std::string lower_case(std::string_view text);
+bool equal_ignoring_case(std::string_view a, std::string_view b);
 std::string hyphenated(std::string_view keyword);  // Antialias_Depth -> antialias-depth
 
 }  // namespace lute

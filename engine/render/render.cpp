@@ -69,7 +69,7 @@ class Passes {
 
   void run(const PixelArea& area, RenderBlock render_block) {
     const long before = passed_++, total = settings_.area.pixels();
-    // The ring around the area may make a pass longer, but is no part of the picture.
+    // There are more corners than pixels.
     RenderProgress progress{nullptr, progress_.cancel};
     if (progress_.report) {
       progress.report = [&](long done, long) {
@@ -101,11 +101,11 @@ class Passes {
 RenderResult render_error_driven(const RenderSettings& settings, const DisplayMetric& metric,
                                  const MakePixelSource& make_source, Film& film, const RenderProgress& progress) {
   ErrorMap errors(settings.area);
-  CentreSamples centres(settings.area, metric);
+  CornerSamples corners(settings.area, metric);
   Passes passes(settings, make_source, progress, 2);
-  passes.run(centres.with_ring(), [&](const PixelArea& block, PixelSource& source) { centres.take(block, source); });
+  passes.run(corners.area(), [&](const PixelArea& block, PixelSource& source) { corners.take(block, source); });
   passes.run(settings.area, [&](const PixelArea& block, PixelSource& source) {
-    render_error_driven_block(block, settings.antialiasing.error_bound, centres, metric, source, film, errors);
+    render_error_driven_block(block, settings.antialiasing.error_bound, corners, metric, source, film, errors);
   });
   passes.result().estimated_error = errors.rmse();
   return passes.result();

@@ -119,7 +119,7 @@ ExitCode render_frame(const RenderOptions& options, const Frame& frame, const st
   const std::unique_ptr<BuiltScene> built = build_scene(parsed.scene, build);
   const RenderPlan plan = make_plan(parsed.scene, build);
   const Tracer tracer(*built, plan);
-  const SceneView view(parsed.scene.camera, *built->textures, tracer, options.width, options.height);
+  const SceneView view(built->camera, *built->textures, tracer, options.width, options.height);
   times.build = build_watch.seconds();
 
   Stopwatch render_watch;

@@ -79,7 +79,7 @@ BuiltInterior* SceneBuilder::new_interior(const InteriorPtr& description) {
     }
     interior->dispersion_samples = d.dispersion_samples;
     interior->caustics = d.caustics;
-    interior->fade_distance = d.fade_distance;
+    interior->fade_distance = d.fade_distance * static_cast<float>(built_.scale);
     interior->fade_power = d.fade_power;
     interior->fade_color = d.fade_color;
     interior->refraction = d.refraction;

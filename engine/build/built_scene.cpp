@@ -5,6 +5,7 @@
 
 #include "engine/build/geometry_answers.hpp"
 #include "engine/build/scene_builder.hpp"
+#include "engine/build/scene_scale.hpp"
 
 namespace lute {
 namespace {
@@ -42,14 +43,14 @@ std::unique_ptr<BuiltSky> built_sky(const SkySphere& description, TextureCompile
 
 bool has_effect(const Rainbow& r) { return !r.colors.entries.empty() && r.width != 0 && r.distance != 0; }
 
-BuiltRainbow built_rainbow(const Rainbow& r) {
+BuiltRainbow built_rainbow(const Rainbow& r, double scale) {
   BuiltRainbow built;
   built.axis = glm::normalize(r.direction);
   built.right = glm::normalize(glm::cross(r.up, built.axis));
   built.up = glm::normalize(glm::cross(built.axis, built.right));
   built.start = radians(r.angle - r.width / 2);
   built.width = radians(r.width);
-  built.distance = r.distance;
+  built.distance = r.distance * scale;
   built.jitter = r.jitter;
   const double arc = r.arc_angle.value_or(360);
   built.arc = radians(arc) / 2;
@@ -65,14 +66,10 @@ bool rays_start_apart(const Camera& camera) {
          kind == CameraKind::kMesh;
 }
 
-}  // namespace
-
-void BuiltScene::interiors_at(const dvec3& point, std::vector<const BuiltInterior*>& out) const {
-  containers.find(point, out);
-}
-
-std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const BuildOptions& options) {
+std::unique_ptr<BuiltScene> built_at(double scale, const Scene& scene, const BuildOptions& options) {
   auto built = std::make_unique<BuiltScene>();
+  built->scale = scale;
+  built->camera = scaled(scene.camera, scale);
   built->settings = shading_settings(scene, options);
   TextureSettings texture_settings;
   texture_settings.noise_generator = scene.settings.noise_generator;
@@ -92,11 +89,40 @@ std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const BuildOptions& 
   built->background = built_background(scene, built->settings);
   if (scene.sky_sphere) built->sky = built_sky(*scene.sky_sphere, *built->textures);
   for (const Fog& fog : scene.fogs)
-    if (std::abs(fog.distance) > kEpsilon) built->fogs.push_back(fog);
+    if (std::abs(fog.distance) > kEpsilon) built->fogs.push_back(scaled(fog, scale));
   for (auto rainbow = scene.rainbows.rbegin(); rainbow != scene.rainbows.rend(); ++rainbow)
-    if (has_effect(*rainbow)) built->rainbows.push_back(built_rainbow(*rainbow));
+    if (has_effect(*rainbow)) built->rainbows.push_back(built_rainbow(*rainbow, scale));
   built->atmosphere = scene.atmosphere;
   return built;
+}
+
+// Densities of media are per unit of length, in patterns of their own; the meshes of a camera are no solids.
+bool keeps_units(const BuiltScene& built) {
+  return built.camera.kind == CameraKind::kMesh || !built.atmosphere.empty() ||
+         std::ranges::any_of(built.interiors, [](const auto& interior) { return !interior->media.empty(); });
+}
+
+// Nothing is met farther than 1e7 units away: what stands there is looked for in a smaller picture of the scene.
+SceneSize size_of_far(const Scene& scene, const BuildOptions& options) {
+  constexpr double kScale = 0x1p-30;
+  const auto small = built_at(kScale, scene, options);
+  const SceneSize size = size_of(small->solids, small->camera);
+  return {size.reach / kScale, size.smallest / kScale};
+}
+
+}  // namespace
+
+void BuiltScene::interiors_at(const dvec3& point, std::vector<const BuiltInterior*>& out) const {
+  containers.find(point, out);
+}
+
+std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const BuildOptions& options) {
+  auto built = built_at(1, scene, options);
+  if (built->solids.empty() || keeps_units(*built)) return built;
+  SceneSize size = size_of(built->solids, built->camera);
+  if (size.reach == 0) size = size_of_far(scene, options);
+  const double scale = rendering_scale(size);
+  return scale == 1 ? std::move(built) : built_at(scale, scene, options);
 }
 
 }  // namespace lute

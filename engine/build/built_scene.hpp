@@ -68,6 +68,8 @@ struct BuildOptions {
 };
 
 struct BuiltScene {
+  double scale = 1;  // of all lengths, against the scene's own units (engine/build/scene_scale.hpp)
+  Camera camera;     // at its place in the built scene
   ShadingSettings settings;
   std::unique_ptr<TextureCompiler> textures;           // owns every compiled texture
   std::vector<std::unique_ptr<BuiltInterior>> interiors;

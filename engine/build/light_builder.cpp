@@ -13,6 +13,11 @@ int SceneBuilder::open_light_group(int outer) {
 void SceneBuilder::add_light(const LightSource& light, const Object&, const Context& own) {
   if (geometry_only_) return;
   auto built = std::make_unique<BuiltLight>(build_light(light, own.to_world, options_.quality >= 5));
+  built->fade_distance *= built_.scale;
+  if (built->kind == LightKind::kCylinder) {
+    built->radius *= built_.scale;
+    built->falloff *= built_.scale;
+  }
   if (light.projected_through != nullptr) {
     Context parent;
     parent.to_world = own.to_world;

@@ -35,7 +35,7 @@ bool keeps_bounds(const AnyShape& shape) {
 
 void SceneBuilder::add(const ObjectPtr& object) {
   default_texture_ = object->default_texture;
-  add_top_level(*object, Context{});
+  add_top_level(*object, unit_);
 }
 
 void SceneBuilder::add_geometry(const ObjectPtr& object) {

@@ -27,7 +27,9 @@ class SharedForms final : public BuildContext {
 
 class SceneBuilder {
  public:
-  SceneBuilder(BuiltScene& built, const BuildOptions& options) : built_(built), options_(options) {}
+  SceneBuilder(BuiltScene& built, const BuildOptions& options) : built_(built), options_(options) {
+    if (built.scale != 1) unit_.to_world = unit_.parent_to_world = Transform::scale(dvec3(built.scale));
+  }
 
   // How many top-level solids add() makes of an object.
   long count_solids(const Object& object) const;
@@ -100,6 +102,7 @@ class SceneBuilder {
 
   BuiltScene& built_;
   BuildOptions options_;
+  Context unit_;  // of the whole scene: from its own units to those of the built scene
   SharedForms shared_;
   TexturePtr default_texture_;       // of the statement being built
   std::vector<int> outer_groups_;    // enclosing group of each light group; -1: none

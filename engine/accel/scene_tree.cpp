@@ -74,6 +74,7 @@ void SceneTree::go_through_list(const Ray& ray, Interval range, Visit&& visit) c
 // The nearest hit so far.
 struct SceneTree::Best {
   Hit& hit;
+  const Departure& from;
   bool found = false;
   std::uint32_t rank = 0;
   Hit candidate{};
@@ -83,6 +84,9 @@ struct SceneTree::Best {
     if (!entry.visibility.visible_to(kind)) return false;
     ++counters.solid_tests;
     if (!entry.solid->nearest(ray, range, kind, candidate)) return false;
+    if (candidate.t < from.clear && candidate.leaf == from.leaf &&
+        !entry.solid->nearest(ray, {from.clear, range.hi}, kind, candidate))
+      return false;
     if (found && !(candidate.t < hit.t || (candidate.t == hit.t && entry.rank < rank))) return false;
     hit = candidate;
     rank = entry.rank;
@@ -90,8 +94,9 @@ struct SceneTree::Best {
   }
 };
 
-bool SceneTree::nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit, Counters& counters) const {
-  Best best{hit};
+bool SceneTree::nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit, Counters& counters,
+                        const Departure& from) const {
+  Best best{hit, from};
   const auto ask = [&](const Entry& entry, double& far) {
     if (best.ask(entry, ray, {range.lo, far}, kind, counters)) far = hit.t;
     return false;

@@ -25,12 +25,19 @@ struct LastBlocker {
   int misses = 0;  // since it last blocked
 };
 
+// The surface that a ray leaves: what it meets of this leaf nearer than `clear` is where it starts.
+struct Departure {
+  const Leaf* leaf = nullptr;
+  double clear = 0;
+};
+
 class SceneTree {
  public:
   // In scene order. The solids must outlive the tree, and keep their visibility.
   explicit SceneTree(std::span<const Solid* const> solids);
 
-  bool nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit, Counters& counters) const;
+  bool nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit, Counters& counters,
+               const Departure& from = {}) const;
 
   // The nearest hit on a solid that casts shadows.
   bool nearest_shadow(const Ray& ray, Interval range, Hit& hit, Counters& counters) const;

@@ -67,6 +67,7 @@ dvec3 mirror_direction(const dvec3& direction, const dvec3& normal, const dvec3&
 Color Shader::reflected(const Surface& surface, const Finish& finish, const dvec3& normal, float weight) {
   TracedRay out;
   out.ray.origin = surface.hit.point;
+  out.from = surface.hit.leaf;
   out.ray.direction = mirror_direction(surface.in.ray.direction, normal, surface.context.raw_normal);
   out.kind = surface.in.kind;
   out.kind.primary = false;

@@ -49,6 +49,7 @@ Shader::Transmitted Shader::transmitted(const Surface& surface, const Finish& to
   Crossing crossing = cross(surface);
   TracedRay out;
   out.ray.origin = surface.hit.point;
+  out.from = surface.hit.leaf;
   out.kind = surface.in.kind;
   out.kind.primary = false;
   out.kind.refracted = true;

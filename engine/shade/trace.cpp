@@ -28,7 +28,8 @@ Color Shader::trace(const TracedRay& ray, float weight) {
   context_.counters.deepest_level = std::max(context_.counters.deepest_level, level_);
 
   Hit hit;
-  const bool found = scene_.tree->nearest(ray.ray, {kMinimumDepth, ray.reach}, ray.kind, hit, context_.counters);
+  const bool found = scene_.tree->nearest(ray.ray, {kNearestDepth, ray.reach}, ray.kind, hit, context_.counters,
+                                          {ray.from, kMinimumDepth});
   Color color = found ? shade(ray, hit, weight) : miss(ray);
   if (plan_.volume_effects) add_volume_effects(ray, found ? hit.t : kDepthOfMiss, color);
 

@@ -12,6 +12,8 @@ namespace lute {
 namespace {
 
 constexpr double kFarthest = 2e10;
+constexpr double kSurface = 1e-12;  // shares of a coordinate, and of the way to the box's own space
+constexpr double kGrain = 1e-15;
 constexpr double kEdge = 1e-6;  // depths nearer to each other than this meet an edge; for boxes smaller than 1, in their size
 
 // Faces are numbered 2 * axis + (1 at the upper corner).
@@ -32,6 +34,9 @@ class SlabBox final : public ScannedShape<SlabBox> {
     const Aabb world = bounds();
     const dvec3 side = world.hi - world.lo;
     edge_ = kEdge * std::min(1.0, std::max({side.x, side.y, side.z}));
+    // A point of the surface counts as inside, also when rounding moved it a little outward.
+    const dvec3 margin = kSurface * glm::max(glm::abs(lo_), glm::abs(hi_)) + kGrain * glm::abs(to_world_.inverse_translation);
+    solid_ = {lo_ - margin, hi_ + margin};
   }
 
   template <class Sink>
@@ -45,7 +50,7 @@ class SlabBox final : public ScannedShape<SlabBox> {
   }
 
   Aabb bounds() const override { return to_world_.box({lo_, hi_}); }
-  bool inside(const dvec3& point) const override { return Aabb{lo_, hi_}.contains(local_point(point)); }
+  bool inside(const dvec3& point) const override { return solid_.contains(local_point(point)); }
   dvec3 normal(const ShapeHit& hit, const dvec3&) const override {
     dvec3 n(0);
     n[static_cast<int>(hit.part / 2)] = hit.part % 2 ? 1 : -1;
@@ -106,6 +111,7 @@ class SlabBox final : public ScannedShape<SlabBox> {
   }
 
   dvec3 lo_{0}, hi_{1};
+  Aabb solid_;  // with the margin of the inside test
   double edge_ = kEdge;
   bool turned_ = false;
   Transform to_world_;

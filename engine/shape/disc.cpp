@@ -1,5 +1,6 @@
 #include "engine/shape/disc.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -41,11 +42,12 @@ class FlatDisc final : public ScannedShape<FlatDisc> {
   }
 
   Aabb bounds() const override {
-    constexpr double kHalfThickness = 1e-3;
+    constexpr double kHalfThickness = 1e-3;  // of discs smaller than 1: in their size
     if (radius2_ < 0) return {};
     Aabb box = circle_box(to_world_, 0, radius_);
-    box.lo -= dvec3(kHalfThickness) * glm::abs(normal_);
-    box.hi += dvec3(kHalfThickness) * glm::abs(normal_);
+    const double thickness = kHalfThickness * std::min(1.0, glm::length(box.hi - box.lo));
+    box.lo -= thickness * glm::abs(normal_);
+    box.hi += thickness * glm::abs(normal_);
     return box;
   }
   Aabb inside_bounds() const override { return Aabb::infinite(); }

@@ -9,11 +9,12 @@ namespace lute {
 
 namespace {
 
-constexpr double kMaxDepth = 1e7;      // in object units
+constexpr double kMaxDepth = 1e7;  // in object units
+// Rounding, as shares of radius² and of radius times the distance from the world's origin.
+constexpr double kSurface = 1e-12, kGrain = 1e-14;
 // Up to this squared distance of the origin, in radii, both forms of the chord are equally good. The reference's is then taken: a
 // pattern with a step on the very surface (onion on a sphere of radius 1) shows the last bits of the hits.
 constexpr double kNear = 1e4;
-constexpr double kGrazing = kEpsilon;  // share of radius² below which a chord is no hit
 
 // Hands both ends of the chord to `sink`, in units of the direction's length 1 / `scale`.
 template <class Sink>
@@ -28,7 +29,7 @@ void scan_sphere(const dvec3& origin, const dvec3& direction, const dvec3& cente
     apart2 = glm::dot(apart, apart);
   }
   const double h = radius2 - apart2;
-  if (!(h > kGrazing * radius2)) return;
+  if (!(h > 0)) return;
   const double half_chord = std::sqrt(h);
   if (b + half_chord < 0 || b - half_chord > kMaxDepth) return;
   sink((b - half_chord) * scale, 0);
@@ -42,6 +43,8 @@ class RoundSphere final : public ScannedShape<RoundSphere> {
         radius_(sphere.radius),
         to_world_(to_world) {
     if (to_world.kinds & Transform::kUniformScale) radius_ *= std::cbrt(std::abs(glm::determinant(to_world.linear)));
+    const double radius2 = radius_ * radius_;
+    surface_ = kSurface * radius2 + kGrain * glm::length(center_) * std::abs(radius_);
   }
 
   template <class Sink>
@@ -55,11 +58,11 @@ class RoundSphere final : public ScannedShape<RoundSphere> {
   }
   bool inside(const dvec3& point) const override {
     const dvec3 q = point - center_;
-    return glm::dot(q, q) < radius_ * radius_;
+    return glm::dot(q, q) < radius_ * radius_ - surface_;
   }
   bool inside_inverted(const dvec3& point) const override {
     const dvec3 q = point - center_;
-    return glm::dot(q, q) > radius_ * radius_;
+    return glm::dot(q, q) > radius_ * radius_ + surface_;
   }
   dvec3 normal(const ShapeHit&, const dvec3& point) const override { return (point - center_) / radius_; }
   dvec2 uv(const ShapeHit&, const dvec3& point) const override {
@@ -70,6 +73,7 @@ class RoundSphere final : public ScannedShape<RoundSphere> {
  private:
   dvec3 center_;
   double radius_;
+  double surface_;  // squared distances this near to radius² are on the surface: neither inside nor outside
   Transform to_world_;
 };
 

@@ -1,5 +1,5 @@
 # Thin: each target installs what is missing, builds, runs. A second run does nothing twice.
-.PHONY: build render test conformance coverage report compare bench setup setup-test setup-bench
+.PHONY: build render test conformance coverage accuracy report compare bench setup setup-test setup-bench
 
 build: build/build.ninja
 	@cmake --build build
@@ -25,6 +25,11 @@ conformance: setup-test build
 # What of the language renders as in POV-Ray: docs/coverage.md.
 coverage: setup-test build
 	@build/bin/lute-compare coverage --jobs 2 --output build/coverage --page docs/coverage.md
+
+# The table of docs/accuracy.md: extreme scenes with both programs, against closed forms and symmetries.
+accuracy: setup-test build
+	@cmake --build build --target lute-accuracy
+	@build/bin/lute-accuracy docs/accuracy.md
 
 # Error against run time of both programs on ten scenes: report/sweep.html.
 REPORT_SCENES = scenes/showcase/lute.pov $(addprefix scenes/lecture/,refraction.pov mirror.pov torus.pov brick.pov \

@@ -1,4 +1,5 @@
 #include "engine/image/color_mapped.hpp"
+#include "tests/temporary_path.hpp"
 
 #include <gif_lib.h>
 #include <gmock/gmock.h>
@@ -40,8 +41,7 @@ class ColorMappedFile : public testing::Test {
     GifFreeMapObject(map);
   }
 
-  const std::string path_ = (std::filesystem::temp_directory_path() /
-                             (std::string("lute_") + testing::UnitTest::GetInstance()->current_test_info()->name())).string();
+  const std::string path_ = temporary_path("color_mapped");
   std::string error_;
 };
 

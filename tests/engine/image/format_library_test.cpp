@@ -1,4 +1,5 @@
 #include "engine/image/format_library.hpp"
+#include "tests/temporary_path.hpp"
 
 #include <filesystem>
 
@@ -17,7 +18,7 @@ TEST_P(FormatLibraryFiles, KeepWhatWasWritten) {
 
   ImagePixels pixels{3, 2, 3, {}};
   for (int i = 0; i < 18; ++i) pixels.values.push_back(static_cast<float>(i) / 17.0f);
-  const std::string path = testing::TempDir() + "format_library." + extension;
+  const std::string path = temporary_path(std::string("format_library.") + extension);
   ASSERT_TRUE(library->write(path, pixels, {.format = format, .type = type}, error)) << error;
   ImagePixels read;
   ImageFileInfo info;

@@ -1,4 +1,5 @@
 #include "engine/image/image_file.hpp"
+#include "tests/temporary_path.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -15,9 +16,10 @@ namespace {
 
 class ImageFile : public testing::Test {
  protected:
-  std::string path(const std::string& name) {
-    return (std::filesystem::temp_directory_path() / ("lute_image_file_" + name)).string();
-  }
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
   // Pixels as bytes; palette images: `colors` has RGBA entries.
   std::string write_png(const std::string& name, std::uint32_t format, unsigned width, unsigned height,
                         const std::vector<std::uint8_t>& pixels, const std::vector<std::uint8_t>& colors = {}) {
@@ -38,6 +40,7 @@ class ImageFile : public testing::Test {
     return image;
   }
 
+  const std::filesystem::path folder_ = temporary_path("image_file");
   ImageFiles files_;
 };
 

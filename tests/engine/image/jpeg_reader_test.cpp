@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/image/format_library.hpp"
+#include "tests/temporary_path.hpp"
 
 namespace lute {
 namespace {
@@ -21,7 +22,7 @@ TEST_P(JpegReader, GivesThePixelsOfTheFormatLibrary) {
   const int channels = GetParam();
   ImagePixels pixels{20, 13, channels, {}};
   for (int i = 0; i < 20 * 13 * channels; ++i) pixels.values.push_back(0.5f + 0.5f * std::sin(0.05f * static_cast<float>(i)));
-  const std::string path = testing::TempDir() + "jpeg_reader.jpg";
+  const std::string path = temporary_path("jpeg_reader.jpg");
   ASSERT_TRUE(library->write(path, pixels, {.format = "jpeg", .type = ChannelType::kUint8}, error)) << error;
   ImagePixels expected;
   ImageFileInfo info;
@@ -44,7 +45,7 @@ TEST(JpegReader, SaysWhyAFileCannotBeRead) {
   std::string error;
   EXPECT_FALSE(read_jpeg("/nonexistent/picture.jpg", jpeg, error));
   EXPECT_NE(error.find("Cannot open"), std::string::npos);
-  const std::string path = testing::TempDir() + "no_picture.jpg";
+  const std::string path = temporary_path("no_picture.jpg");
   std::ofstream(path) << "this is text";
   EXPECT_FALSE(read_jpeg(path, jpeg, error));
   EXPECT_NE(error.find("Cannot read JPEG image"), std::string::npos);

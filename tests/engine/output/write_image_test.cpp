@@ -8,6 +8,7 @@
 
 #include "engine/image/format_library.hpp"
 #include "engine/output/atomic_file.hpp"
+#include "tests/temporary_path.hpp"
 
 namespace lute {
 namespace {
@@ -17,8 +18,7 @@ namespace fs = std::filesystem;
 class WriteImage : public testing::Test {
  protected:
   void SetUp() override {
-    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("lute_write_image_") + test->name());
+    folder_ = temporary_path("write_image");
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }

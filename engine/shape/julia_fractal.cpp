@@ -29,6 +29,8 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     radius_ = quaternion_ ? std::min(2.0, 1 + glm::length(f_.constant) + 1e-7) : 4;
     escape_ = quaternion_ ? radius_ * radius_ + 1e-7 : 16;
     by_function_ = !quaternion_ && f_.function >= Function::kExp;
+    const double ratio = f_.function == Function::kCube ? 3 : 2;
+    for (std::size_t i = 0; i <= steps_; ++i) shares_.push_back(std::pow(ratio, -static_cast<double>(i)));
   }
 
   template <class Sink>
@@ -98,21 +100,27 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   // The inside test of functions begins with y in the place of z (§7.3).
   dvec4 plain_start(const dvec3& p) const { return start(by_function_ ? dvec3(p.x, p.y, p.y) : p); }
 
-  dvec4 image(const dvec4& z) const {
-    if (quaternion_) return f_.function == Function::kCube ? quaternion_cube(z) : quaternion_square(z);
-    if (f_.function == Function::kReciprocal) return hypercomplex_reciprocal(z);
-    return by_function_ ? hypercomplex_function(f_.function, f_.exponent, z) : hypercomplex_square(z);
-  }
-
-  // The step, from 1, before which the orbit has left the ball, or 0 if it never does.
-  std::size_t escape_step(dvec4 z, Orbit& orbit) const {
+  // The step, from 1, before which the orbit has left the ball, or 0 if it never does. One loop for each map.
+  template <class Image>
+  std::size_t escape_step_of(dvec4 z, dvec4* orbit, Image&& image) const {
+    const dvec4 constant = f_.constant;
     orbit[0] = z;
     for (std::size_t i = 1; i <= steps_; ++i) {
       if (glm::dot(z, z) > escape_) return i;
-      z = image(z) + f_.constant;
+      z = image(z) + constant;
       orbit[i] = z;
     }
     return 0;
+  }
+  std::size_t escape_step(const dvec4& z, Orbit& orbits) const {
+    dvec4* const orbit = orbits.data();
+    if (quaternion_) {
+      if (f_.function == Function::kCube) return escape_step_of(z, orbit, [](const dvec4& q) { return quaternion_cube(q); });
+      return escape_step_of(z, orbit, [](const dvec4& q) { return quaternion_square(q); });
+    }
+    if (f_.function == Function::kReciprocal) return escape_step_of(z, orbit, [](const dvec4& q) { return hypercomplex_reciprocal(q); });
+    if (!by_function_) return escape_step_of(z, orbit, [](const dvec4& q) { return hypercomplex_square(q); });
+    return escape_step_of(z, orbit, [this](const dvec4& q) { return hypercomplex_function(f_.function, f_.exponent, q); });
   }
 
   // Whether the point is inside; `step` becomes how far the ray may advance.
@@ -124,8 +132,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     if (quaternion_) {
       dvec4 q = orbit[0];
       for (std::size_t j = 1; j < i; ++j) q = quaternion_product(q, orbit[j]);
-      const double share = std::pow(f_.function == Function::kCube ? 3.0 : 2.0, -static_cast<double>(i));
-      step = share * std::sqrt(norm / glm::dot(q, q)) * std::log(norm);
+      step = shares_[i] * std::sqrt(norm / glm::dot(q, q)) * std::log(norm);
       return false;
     }
     const double slope = glm::dot(hypercomplex_normal(orbit, i - 1), direction);
@@ -187,6 +194,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   JuliaFractal f_;
   std::size_t steps_;
   double least_step_;
+  std::vector<double> shares_;  // [i]: 2⁻ⁱ or 3⁻ⁱ
   double radius_ = 2, escape_ = 4;
   bool quaternion_ = true, by_function_ = false;
   Transform to_world_;

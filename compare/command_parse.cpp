@@ -25,7 +25,9 @@ void add_time(std::vector<ParseTime>& times, const SceneFile& scene, const Parse
 int run_command(const ParseCommandOptions& options) {
   std::vector<ParseTime> times, large;
   if (!options.scenes.empty()) {
-    for (const SceneFile& scene : find_scenes(options.scenes, options.filter)) add_time(times, scene, options);
+    for (const SceneFile& scene : find_scenes(options.scenes, options.filter)) {
+      if (scene.path.extension() == ".pov") add_time(times, scene, options);
+    }
   }
   if (!options.no_large) {
     const ScratchFolder folder;

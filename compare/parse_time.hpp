@@ -1,5 +1,5 @@
 // How long both programs take to read a scene, and how much memory: lute with --check, POV-Ray with a picture of one pixel, which
-// is the least it can be asked for.
+// is the least it can be asked for (with photons or radiosity it is more than reading).
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@ struct ParseTime {
   ProcessResult lute, reference;
 
   bool comparable() const { return lute.succeeded() && reference.succeeded(); }
-  double ratio() const;  // of processor time, lute's over the reference's
+  double ratio() const;  // of user time, lute's over the reference's
 };
 
 ParseTime measure_parse_time(const SceneFile& scene, const ParseTimeSettings& settings);
@@ -32,7 +32,7 @@ ParseTime measure_parse_time(const SceneFile& scene, const ParseTimeSettings& se
 // The geometric mean of the ratios of what is comparable; 0 if nothing is.
 double mean_ratio(const std::vector<ParseTime>& times);
 
-// Rows of a Markdown table: seconds of processor time, ratio, peak memory.
+// Rows of a Markdown table: seconds of user time, ratio, peak memory.
 void write_table(std::ostream& out, const std::vector<ParseTime>& times);
 
 }  // namespace lute::compare

@@ -28,7 +28,8 @@ struct ProcessResult {
   int signal = 0;                // when a signal ended it
   double wall = 0;               // seconds
   double cpu = 0;                // seconds, user and system, all threads
-  std::int64_t peak_memory = 0;  // bytes resident
+  double user = 0;               // seconds, user alone
+  std::int64_t peak_memory = 0;  // bytes resident; not below what this program held when it started the other
 
   bool succeeded() const { return started && !timed_out && signal == 0 && exit_code == 0; }
 };

@@ -19,7 +19,7 @@ using Cursor = TokenCursor<Session>;
 template <TokenKind kKind>
 struct Tok : x3::parser<Tok<kKind>> {
   using attribute_type = x3::unused_type;
-  static bool const has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
   template <class It, class C, class R, class A>
   bool parse(It& first, It const&, C const&, R&, A&) const {
     if (!first->is(kKind)) return false;
@@ -35,7 +35,7 @@ constexpr Tok<kKind> tok{};
 template <bool (*kParse)(Session&, Number&)>
 struct Step : x3::parser<Step<kParse>> {
   using attribute_type = Number;
-  static bool const has_attribute = true;
+  [[maybe_unused]] static constexpr bool has_attribute = true;
   template <class It, class C, class R, class A>
   bool parse(It& first, It const&, C const&, R&, A& attribute) const {
     return kParse(first.state(), attribute);
@@ -47,7 +47,7 @@ template <class P>
 struct Freely : x3::unary_parser<P, Freely<P>> {
   using base_type = x3::unary_parser<P, Freely<P>>;
   using attribute_type = Number;
-  static bool const has_attribute = true;
+  [[maybe_unused]] static constexpr bool has_attribute = true;
   constexpr explicit Freely(P const& p) : base_type(p) {}
   template <class It, class C, class R, class A>
   bool parse(It& first, It const& last, C const& context, R& rcontext, A& attribute) const {
@@ -141,7 +141,7 @@ const x3::rule<FactorTag, Number> factor = "numeric expression";
 // Signs and `!` in front of an operand, applied from the innermost out.
 struct Prefixed : x3::parser<Prefixed> {
   using attribute_type = Number;
-  static bool const has_attribute = true;
+  [[maybe_unused]] static constexpr bool has_attribute = true;
   template <class It, class C, class R, class A>
   bool parse(It& first, It const& last, C const& context, R& rcontext, A& attribute) const {
     Session& session = first.state();
@@ -164,7 +164,7 @@ struct Prefixed : x3::parser<Prefixed> {
 // '(' full ')' with its bound on nesting.
 struct Group : x3::parser<Group> {
   using attribute_type = Number;
-  static bool const has_attribute = true;
+  [[maybe_unused]] static constexpr bool has_attribute = true;
   template <class It, class C, class R, class A>
   bool parse(It& first, It const& last, C const& context, R& rcontext, A& attribute) const {
     if (!first->is(TokenKind::kLeftParen)) return false;
@@ -180,7 +180,7 @@ struct Group : x3::parser<Group> {
 // `? full : full` behind a condition. All three are evaluated; the chosen branch keeps its own count of components.
 struct Choice : x3::parser<Choice> {
   using attribute_type = Number;
-  static bool const has_attribute = true;
+  [[maybe_unused]] static constexpr bool has_attribute = true;
   template <class It, class C, class R, class A>
   bool parse(It& first, It const& last, C const& context, R& rcontext, A& attribute) const {
     if (!first->is(TokenKind::kQuestion)) return true;
@@ -204,7 +204,7 @@ template <class P>
 struct WithMember : x3::unary_parser<P, WithMember<P>> {
   using base_type = x3::unary_parser<P, WithMember<P>>;
   using attribute_type = Number;
-  static bool const has_attribute = true;
+  [[maybe_unused]] static constexpr bool has_attribute = true;
   constexpr explicit WithMember(P const& p) : base_type(p) {}
   template <class It, class C, class R, class A>
   bool parse(It& first, It const& last, C const& context, R& rcontext, A& attribute) const {
@@ -219,7 +219,7 @@ template <class P, class Q>
 struct Then : x3::binary_parser<P, Q, Then<P, Q>> {
   using base_type = x3::binary_parser<P, Q, Then<P, Q>>;
   using attribute_type = Number;
-  static bool const has_attribute = true;
+  [[maybe_unused]] static constexpr bool has_attribute = true;
   constexpr Then(P const& p, Q const& q) : base_type(p, q) {}
   template <class It, class C, class R, class A>
   bool parse(It& first, It const& last, C const& context, R& rcontext, A& attribute) const {

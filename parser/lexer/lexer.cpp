@@ -98,14 +98,14 @@ constexpr TokenKind single_kind(char c) {
 // Parsers without attribute: what they find goes to the LexState.
 struct NoAttribute {
   using attribute_type = x3::unused_type;
-  static bool const has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
 };
 
 // A run of bytes of the classes from `First` to `Last`.
 template <std::uint8_t First, std::uint8_t Last>
 struct Run : x3::parser<Run<First, Last>>, NoAttribute {
   using attribute_type = NoAttribute::attribute_type;
-  static bool const has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
   template <class It, class C, class R, class A>
   bool parse(It& first, It const& last, C const&, R&, A&) const {
     It p = first;
@@ -120,7 +120,7 @@ struct Run : x3::parser<Run<First, Last>>, NoAttribute {
 // wrongly in a third of all 17-digit numbers.)
 struct Real : x3::parser<Real> {
   using attribute_type = double;
-  static bool const has_attribute = true;
+  [[maybe_unused]] static constexpr bool has_attribute = true;
   template <class It, class C, class R, class A>
   bool parse(It& first, It const& last, C const&, R&, A& attribute) const {
     const auto digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -147,7 +147,7 @@ struct Real : x3::parser<Real> {
 // A comment between /* and */; they nest, and depth costs no stack.
 struct BlockComment : x3::parser<BlockComment> {
   using attribute_type = x3::unused_type;
-  static bool const has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
   template <class It, class C, class R, class A>
   bool parse(It& first, It const& last, C const&, R&, A&) const {
     if (last - first < 2 || first[0] != '/' || first[1] != '*') return false;
@@ -188,7 +188,7 @@ const char* last_border(const char* first, const char* last, const char* end) {
 // A long run of literals in a large file: one token, which is read when it is needed.
 struct Literals : x3::parser<Literals> {
   using attribute_type = x3::unused_type;
-  static bool const has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
   template <class It, class C, class R, class A>
   bool parse(It& first, It const& last, C const& context, R&, A&) const {
     LexState& state = x3::get<LexTag>(context).get();
@@ -212,7 +212,7 @@ struct Literals : x3::parser<Literals> {
 template <class... P>
 struct Dispatch : x3::parser<Dispatch<P...>> {
   using attribute_type = x3::unused_type;
-  static bool const has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
   std::tuple<P...> parsers;
   constexpr explicit Dispatch(P const&... p) : parsers(p...) {}
 
@@ -277,7 +277,7 @@ void push_string(LexState& state, const char* first, const char* last) {
 
 struct Illegal : x3::parser<Illegal> {
   using attribute_type = x3::unused_type;
-  static bool const has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
   template <class It, class C, class R, class A>
   bool parse(It& first, It const& last, C const&, R&, A&) const {
     fail_illegal(first, last);

@@ -70,7 +70,7 @@ bool is_patch(const Object& object) {
   return std::visit(
       [](const auto& s) {
         if constexpr (requires { s.inside_vector; }) return s.inside_vector == dvec3(0);
-        constexpr std::string_view keyword = s.kKeyword;
+        constexpr std::string_view keyword = std::decay_t<decltype(s)>::kKeyword;
         return keyword == "triangle" || keyword == "smooth_triangle" || keyword == "bicubic_patch" || keyword == "polygon" ||
                keyword == "parametric";
       },

@@ -1,6 +1,7 @@
 #include "app/console.hpp"
 
 #include <cstdio>
+#include <utility>
 
 namespace lute {
 
@@ -25,7 +26,18 @@ void Console::line(const std::string& text) const {
   if (options_.verbose && options_.render_console) std::fprintf(stderr, "%s\n", text.c_str());
 }
 
-void Console::error(const std::string& text) const { std::fprintf(stderr, "lute: error: %s\n", text.c_str()); }
+void Console::failure(const std::string& code, const std::string& message, const std::string& hint) {
+  if (options_.json_diagnostics) {
+    Diagnostic diagnostic;
+    diagnostic.code = code;
+    diagnostic.message = message;
+    diagnostic.hint = hint;
+    collected_.push_back(std::move(diagnostic));
+    return;
+  }
+  std::fprintf(stderr, "lute: error: %s\n", message.c_str());
+  if (!hint.empty()) std::fprintf(stderr, "  %s\n", hint.c_str());
+}
 
 void Console::finish(bool picture_on_stdout) {
   if (!options_.json_diagnostics) return;

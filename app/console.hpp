@@ -16,7 +16,8 @@ class Console {
   void diagnostic(const Diagnostic& diagnostic);
   void debug(std::string_view text) const;
   void line(const std::string& text) const;  // only when verbose
-  void error(const std::string& text) const;
+  // What is wrong with the call or the machine, not with a place in the scene. `code`: as in Diagnostic.
+  void failure(const std::string& code, const std::string& message, const std::string& hint = "");
 
   // The collected diagnostics as JSON, if that form is wanted: on standard output, or on standard error where the
   // picture goes there.

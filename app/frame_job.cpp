@@ -125,16 +125,15 @@ ExitCode render_frame(const RenderOptions& options, const Frame& frame, const st
   Stopwatch render_watch;
   const RenderSettings settings = render_settings(options, parsed.scene);
   Film film(options.width, options.height);
-  const Interrupt::Guard guard;
   RenderResult result;
   {
     Progress progress(options.input_file, options.verbose);
     result = render(settings, [&view] { return view.make_source(); }, film,
-                    {[&progress](long done, long total) { progress.update(done, total); }, &Interrupt::flag()});
+                    {[&progress](long done, long total) { progress.update(done, total); }});
   }
   times.render = render_watch.seconds();
-  if (!result.complete) return ExitCode::kInterrupted;
 
+  const Interrupt::Guard guard;
   Stopwatch write_watch;
   if (options.output_to_file) {
     write_image(path, film, {settings.gamma_mode, settings.assumed_gamma}, options.output);

@@ -3,6 +3,8 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <string_view>
+
 namespace lute {
 namespace {
 
@@ -12,8 +14,13 @@ std::atomic<int> guards{0};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 void on_signal(int) {
-  if (guards.load() == 0) _exit(kInterruptedExit);
-  signalled.store(true);
+  if (guards.load() > 0) {
+    signalled.store(true);
+    return;
+  }
+  constexpr std::string_view kMessage = "\nlute: interrupted\n";  // begins a line of its own below the progress bar
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  _exit(kInterruptedExit);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Ctrl-C, SIGTERM and SIGHUP: a render stops at the next block, everything else at once; a file that is being written
-// is finished first. The exit code is then 130.
+// Ctrl-C, SIGTERM and SIGHUP: lute stops at once, in the middle of whatever it reads or traces; only a file that is being
+// written is finished first. The exit code is then 130.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@ class Interrupt {
   // Set by a signal while a Guard is alive.
   static const std::atomic<bool>& flag();
 
-  // While one is alive a first signal only sets the flag.
+  // While one is alive a signal only sets the flag.
   class Guard {
    public:
     Guard();

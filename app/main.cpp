@@ -1,8 +1,6 @@
 // lute: renders POV-Ray scene files.
 
-#include <cstdio>
-#include <exception>
-#include <new>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -10,27 +8,18 @@
 #include "app/session.hpp"
 #include "parser/options/option_reader.hpp"
 
-namespace {
-
-int report(const std::string& message, const std::string& hint, lute::ExitCode code) {
-  std::fprintf(stderr, "lute: error: %s\n", message.c_str());
-  if (!hint.empty()) std::fprintf(stderr, "  %s\n", hint.c_str());
-  return static_cast<int>(code);
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
   lute::Interrupt::install();
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
   try {
-    const std::vector<std::string> arguments(argv + 1, argv + argc);
-    const lute::RenderOptions options = lute::read_options(arguments, lute::OptionEnvironment::of_process());
-    return static_cast<int>(lute::run_session(options));
+    return static_cast<int>(lute::run_session(lute::read_options(arguments, lute::OptionEnvironment::of_process())));
   } catch (const lute::OptionError& error) {
-    return report(error.what(), error.hint(), lute::ExitCode::kUsage);
-  } catch (const std::bad_alloc&) {
-    return report("out of memory", "", lute::ExitCode::kFailed);
-  } catch (const std::exception& error) {
-    return report(error.what(), "", lute::ExitCode::kFailed);
+    // Of the options that cannot be read this one still says who reads the answer.
+    lute::RenderOptions options;
+    options.json_diagnostics = std::ranges::count(arguments, "--diagnostics=json") > 0;
+    lute::Console console(options);
+    const lute::ExitCode code = lute::report(error, console);
+    console.finish(false);
+    return static_cast<int>(code);
   }
 }

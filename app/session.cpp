@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <new>
 #include <stdexcept>
 
 #include "app/interrupt.hpp"
@@ -50,7 +51,6 @@ ExitCode inspect(const RenderOptions& options, const std::optional<std::string>&
     print(plan.text(parsed.scene));
   }
   if (parsed.ok && options.action == Action::kDumpScene) print(dump_scene(parsed.scene).dump(2));
-  console.finish(false);
   return parsed.ok ? ExitCode::kDone : ExitCode::kFailed;
 }
 
@@ -64,7 +64,37 @@ ExitCode render_all(const RenderOptions& options, const std::optional<std::strin
   return ExitCode::kDone;
 }
 
+ExitCode run_action(const RenderOptions& options, Console& console) {
+  if (options.input_file.empty())
+    throw OptionError("no scene is given", "lute scene.pov; lute --help lists all options");
+  for (const std::string& notice : options.notices) console.line("note: " + notice);
+  const std::optional<std::string> text = standard_input(options);
+  switch (options.action) {
+    case Action::kDumpTokens: return dump_scene_tokens(options, text);
+    case Action::kRender: return render_all(options, text, console);
+    default: return inspect(options, text, console);
+  }
+}
+
+ExitCode run_reported(const RenderOptions& options, Console& console) {
+  try {
+    return run_action(options, console);
+  } catch (const OptionError& error) {
+    return report(error, console);
+  } catch (const std::bad_alloc&) {
+    console.failure("out-of-memory", "out of memory");
+  } catch (const std::exception& error) {
+    console.failure("failure", error.what());
+  }
+  return ExitCode::kFailed;
+}
+
 }  // namespace
+
+ExitCode report(const OptionError& error, Console& console) {
+  console.failure("usage", error.what(), error.hint());
+  return ExitCode::kUsage;
+}
 
 ExitCode run_session(const RenderOptions& options) {
   if (options.action == Action::kHelp) {
@@ -75,15 +105,9 @@ ExitCode run_session(const RenderOptions& options) {
     print("lute " LUTE_VERSION);
     return ExitCode::kDone;
   }
-  if (options.input_file.empty())
-    throw OptionError("no scene is given", "lute scene.pov; lute --help lists all options");
   Console console(options);
-  for (const std::string& notice : options.notices) console.line("note: " + notice);
-  const std::optional<std::string> text = standard_input(options);
-  if (options.action == Action::kDumpTokens) return dump_scene_tokens(options, text);
-  if (options.action != Action::kRender) return inspect(options, text, console);
-  const ExitCode code = render_all(options, text, console);
-  console.finish(options.output_file == "-");
+  const ExitCode code = run_reported(options, console);
+  console.finish(options.action == Action::kRender && options.output_file == "-");
   if (code == ExitCode::kInterrupted) console.line("interrupted");
   return code;
 }

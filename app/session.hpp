@@ -5,7 +5,10 @@
 
 namespace lute {
 
-// Carries out options.action. Throws std::runtime_error for what goes wrong outside of the scene.
+// Carries out options.action. What goes wrong is told on the console; nothing is thrown.
 ExitCode run_session(const RenderOptions& options);
+
+// The same for options that cannot be read.
+ExitCode report(const OptionError& error, Console& console);
 
 }  // namespace lute

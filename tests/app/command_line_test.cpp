@@ -69,6 +69,16 @@ TEST_F(CommandLine, BrokenSceneLeavesNoFile) {
   EXPECT_THAT(files(), ElementsAre("broken.pov", "small.pov"));
 }
 
+TEST_F(CommandLine, ProblemsOfTheCallAreJsonToo) {
+  const LuteRun usage = run_lute({path("small.pov"), "+Zfoo", "--diagnostics=json"});
+  EXPECT_EQ(usage.exit_code, 2);
+  EXPECT_THAT(usage.out, HasSubstr("\"code\":\"usage\""));
+  const LuteRun place = run_lute({path("small.pov"), "+O" + path("missing/a.png"), "--diagnostics=json"});
+  EXPECT_EQ(place.exit_code, 1);
+  EXPECT_THAT(place.out, HasSubstr("cannot write"));
+  EXPECT_THAT(usage.error + place.error, Not(HasSubstr("error")));
+}
+
 TEST_F(CommandLine, UnwritableOutputIsToldBeforeRendering) {
   const LuteRun run = run_lute({path("small.pov"), "+W4000", "+H4000", "+O" + path("missing/a.png")});
   EXPECT_EQ(run.exit_code, 1);
@@ -82,6 +92,22 @@ TEST_F(CommandLine, InterruptedRenderLeavesTheOldPicture) {
   EXPECT_EQ(run.exit_code, 130);
   EXPECT_EQ(content("small.png"), "old");
   EXPECT_THAT(files(), ElementsAre("small.png", "small.pov"));
+}
+
+// A single block of this picture takes minutes: every pixel is a hall of mirrors.
+TEST_F(CommandLine, InterruptStopsInTheMiddleOfAPixel) {
+  write("mirrors.pov",
+        "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 256 adc_bailout 0 }\n"
+        "camera { location 0 }\n"
+        "#declare I = 0; #while (I < 60)\n"
+        "  sphere { 0, 1 + I pigment { rgbt 1 } finish { reflection 0.9 ambient 0.1 } interior { ior 1.5 } }\n"
+        "#declare I = I + 1; #end\n");
+  for (const char* threads : {"+WT1", "+WT3"}) {
+    const LuteRun run = run_lute({path("mirrors.pov"), "+W32", "+H32", "-A", threads}, "", 0.5);
+    EXPECT_EQ(run.exit_code, 130);
+    EXPECT_THAT(run.error, HasSubstr("interrupted"));
+    EXPECT_LT(run.seconds, 2.0);
+  }
 }
 
 TEST_F(CommandLine, PicturesAreBitIdenticalForAnyNumberOfThreads) {

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -25,18 +26,22 @@ void print_changes(const char* heading, const std::vector<StateChange>& changes)
 }
 
 int run_state(const StateOptions& options) {
-  StateTable table = read_states(options.table);
+  StateTable table;
+  if (!options.update || std::filesystem::exists(options.table)) table = read_states(options.table);
   ReportContext context;
   context.title = "Conformance with POV-Ray";
   const std::vector<SceneComparison> comparisons = run_scenes(options, {options.scenes}, context);
   const std::vector<StateChange> worse = worsened(table, comparisons);
   print_changes("worse", worse);
   print_changes("better", improved(table, comparisons));
+  const bool whole = options.filter.empty() && options.sample == 1;
+  const std::vector<std::string> lost = whole ? missing(table, comparisons) : std::vector<std::string>{};
+  for (const std::string& scene : lost) std::cout << "missing: " << scene << '\n';
   if (options.update) {
     improve(table, comparisons);
     write_states(table, options.table);
   }
-  return worse.empty() ? kExitMatch : kExitDiffers;
+  return worse.empty() && lost.empty() ? kExitMatch : kExitDiffers;
 }
 
 }  // namespace
@@ -46,7 +51,7 @@ void add_state_command(CLI::App& app, int& exit_code) {
   options->lute = default_lute_program();
   options->output = "lute-conformance";
   CLI::App* command =
-      app.add_subcommand("state", "Compare the example scenes with the conformance table; 1 if one got worse");
+      app.add_subcommand("state", "Compare the example scenes with the conformance table; 1 if one got worse or is missing");
   command->add_option("scenes", options->scenes, "Folder of the scenes");
   command->add_option("--table", options->table, "The table of states");
   command->add_flag("--update", options->update, "Write better states to the table; worse ones never");

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -34,6 +35,7 @@ bool better_figures(const StateRow& fresh, const StateRow& kept) {
 StateTable read_states(const fs::path& csv) {
   StateTable table;
   std::ifstream stream(csv);
+  if (!stream) throw std::runtime_error("cannot read the table of states " + csv.string());
   std::string line;
   std::getline(stream, line);
   while (std::getline(stream, line)) {
@@ -79,9 +81,12 @@ std::vector<StateChange> worsened(const StateTable& table, const std::vector<Sce
   std::vector<StateChange> changes;
   for (const SceneComparison& comparison : comparisons) {
     const auto kept = table.find(comparison.scene.name);
-    if (kept == table.end() || comparison.state == SceneState::kReferenceTimeout) continue;
-    if (comparison.state > kept->second.state)
+    if (comparison.state == SceneState::kReferenceTimeout) continue;
+    if (kept == table.end()) {
+      if (comparison.state > SceneState::kBothReject) changes.push_back({comparison.scene.name, {}, comparison.state});
+    } else if (comparison.state > kept->second.state) {
       changes.push_back({comparison.scene.name, kept->second.state, comparison.state});
+    }
   }
   return changes;
 }
@@ -91,12 +96,21 @@ std::vector<StateChange> improved(const StateTable& table, const std::vector<Sce
   for (const SceneComparison& comparison : comparisons) {
     const auto kept = table.find(comparison.scene.name);
     if (kept == table.end()) {
-      changes.push_back({comparison.scene.name, {}, comparison.state});
+      if (comparison.state <= SceneState::kBothReject) changes.push_back({comparison.scene.name, {}, comparison.state});
     } else if (comparison.state < kept->second.state) {
       changes.push_back({comparison.scene.name, kept->second.state, comparison.state});
     }
   }
   return changes;
+}
+
+std::vector<std::string> missing(const StateTable& table, const std::vector<SceneComparison>& comparisons) {
+  std::set<std::string> seen;
+  for (const SceneComparison& comparison : comparisons) seen.insert(comparison.scene.name);
+  std::vector<std::string> names;
+  for (const auto& [scene, row] : table)
+    if (!seen.contains(scene)) names.push_back(scene);
+  return names;
 }
 
 void improve(StateTable& table, const std::vector<SceneComparison>& comparisons) {

@@ -21,7 +21,7 @@ struct StateRow {
 
 using StateTable = std::map<std::string, StateRow>;
 
-// An absent file is an empty table; throws std::runtime_error for a line that is no row.
+// Throws std::runtime_error for an absent file and for a line that is no row.
 StateTable read_states(const std::filesystem::path& csv);
 void write_states(const StateTable& table, const std::filesystem::path& csv);
 
@@ -33,9 +33,13 @@ struct StateChange {
   SceneState after = SceneState::kDiffers;
 };
 
-// A scene that the machine was too slow for is no worse than before: kReferenceTimeout never counts as a change.
+// A scene that the machine was too slow for is no worse than before: kReferenceTimeout never counts as a change. A scene
+// without a row is worse if it does not match.
 std::vector<StateChange> worsened(const StateTable& table, const std::vector<SceneComparison>& comparisons);
 std::vector<StateChange> improved(const StateTable& table, const std::vector<SceneComparison>& comparisons);
+
+// The scenes of the table that a run over all of them did not find.
+std::vector<std::string> missing(const StateTable& table, const std::vector<SceneComparison>& comparisons);
 
 // Takes over new scenes, better states, and better figures of the same state; keeps everything else.
 void improve(StateTable& table, const std::vector<SceneComparison>& comparisons);

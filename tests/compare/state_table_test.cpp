@@ -36,13 +36,26 @@ TEST(StateTable, OnlyImproves) {
   const std::vector<SceneComparison> run = {result("better.pov", SceneState::kMatch),
                                             result("worse.pov", SceneState::kDiffers),
                                             result("new.pov", SceneState::kLuteError)};
-  ASSERT_EQ(worsened(table, run).size(), 1u);
+  ASSERT_EQ(worsened(table, run).size(), 2u);
   EXPECT_EQ(worsened(table, run)[0].scene, "worse.pov");
-  EXPECT_EQ(improved(table, run).size(), 2u);
+  EXPECT_EQ(worsened(table, run)[1].scene, "new.pov");
+  ASSERT_EQ(improved(table, run).size(), 1u);
+  EXPECT_EQ(improved(table, run)[0].scene, "better.pov");
   improve(table, run);
   EXPECT_EQ(table["better.pov"].state, SceneState::kMatch);
   EXPECT_EQ(table["worse.pov"].state, SceneState::kMatch);
   EXPECT_EQ(table["new.pov"].state, SceneState::kLuteError);
+}
+
+TEST(StateTable, AbsentTableIsAnError) {
+  const ScratchFolder folder;
+  EXPECT_THROW(read_states(folder.path() / "none.csv"), std::runtime_error);
+}
+
+TEST(StateTable, TellsScenesThatARunDidNotFind) {
+  StateTable table;
+  table["found.pov"] = table["lost.pov"] = {SceneState::kMatch, {}, 0.001, {}};
+  EXPECT_EQ(missing(table, {result("found.pov", SceneState::kMatch)}), std::vector<std::string>{"lost.pov"});
 }
 
 TEST(StateTable, SlowReferenceIsNoWorsening) {

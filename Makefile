@@ -1,5 +1,5 @@
 # Thin: each target installs what is missing, builds, runs. A second run does nothing twice.
-.PHONY: build render test conformance coverage accuracy report compare bench setup setup-test setup-bench
+.PHONY: build render test conformance coverage accuracy report compare bench asan setup setup-test setup-bench
 
 build: build/build.ninja
 	@cmake --build build
@@ -46,6 +46,12 @@ bench: setup-bench build/build.ninja
 	@cmake --build build --target lute-bench-accel lute-bench-noise
 	@build/bin/lute-bench-accel --benchmark_min_time=1
 	@build/bin/lute-bench-noise --benchmark_min_time=1
+
+# Every test under the sanitizers of addresses and undefined behaviour (half an hour).
+asan: setup-test
+	@cmake --preset asan >/dev/null
+	@cmake --build build-asan
+	@ctest --test-dir build-asan --output-on-failure -j 2
 
 build/build.ninja: | setup
 	@cmake --preset release >/dev/null

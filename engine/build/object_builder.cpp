@@ -96,8 +96,9 @@ std::unique_ptr<Solid> SceneBuilder::leaf(const Object& object, const Context& o
   Limits limit = limits(object, own);
   const bool box_only = top_level && options_.remove_bounds && !keeps_bounds(shape);
   if (box_only && !hierarchy_used_ && !leaf->shape->tests_own_box()) limit.bounds.clear();
+  const bool box_tested = leaf->shape->tests_own_box() || (top_level && hierarchy_used_);
   auto built = std::make_unique<LeafSolid>(std::move(leaf), std::move(limit.clips), std::move(limit.bounds),
-                                           box_only ? BoundTest::kBoxOnly : BoundTest::kTested);
+                                           box_only ? BoundTest::kBoxOnly : BoundTest::kTested, box_tested);
   built->visibility = own.visibility;
   return built;
 }

@@ -25,6 +25,23 @@ Aabb inside_all_within(const SharedSolids& solids, Aabb region) {
   return region;
 }
 
+std::optional<Aabb> closing_box(const SharedSolids& clips, const Aabb& own) {
+  const auto open_sides = [](const Aabb& box) {
+    int count = 0;
+    for (int axis = 0; axis < 3; ++axis) count += std::isinf(box.lo[axis]) + std::isinf(box.hi[axis]);
+    return count;
+  };
+  Aabb limit = Aabb::infinite();
+  bool any_open = false;
+  for (const auto& clip : clips) {
+    const bool open = open_sides(clip->inside_box) == 1 && clip->box.is_finite();
+    limit = limit.intersection(open ? clip->box : clip->inside_box);
+    any_open |= open;
+  }
+  if (!any_open || limit.empty() || limit.volume() >= own.volume()) return std::nullopt;
+  return limit;
+}
+
 bool limit_box(Aabb& box, const SharedSolids& bounds) {
   if (bounds.empty()) return false;
   Aabb limit = Aabb::infinite();

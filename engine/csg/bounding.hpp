@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "engine/csg/leaf_solid.hpp"
 
@@ -50,5 +51,9 @@ Aabb inside_all_within(const SharedSolids& solids, Aabb region);
 
 // Lets the boxes of the bounds replace `box` where they are smaller. True if they did.
 bool limit_box(Aabb& box, const SharedSolids& bounds);
+
+// Where the inside of a clip is open on one side, as below a height field: the box of all clips, if it is smaller than `own`, that of
+// the unclipped object. Rays that miss it miss the object, whatever lies inside the clips (§7.3.2).
+std::optional<Aabb> closing_box(const SharedSolids& clips, const Aabb& own);
 
 }  // namespace lute

@@ -44,6 +44,13 @@ ChildTree CsgSolid::set_boxes() {
     if (!all_children_needed()) all_boxes.back().join(child->inside_box);
   }
   box_cuts_ = limit_box(box, bounds_);
+  Aabb own = box_cuts_ ? box : Aabb();
+  for (const auto& child : children_)
+    if (!box_cuts_) own.join(child->box);
+  if (const auto limit = closing_box(clips_, own)) {
+    box = *limit;
+    box_cuts_ = true;
+  }
   return ChildTree(std::move(ray_boxes), all_boxes, std::move(boxed));
 }
 

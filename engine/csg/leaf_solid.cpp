@@ -19,7 +19,8 @@ Aabb widened(Aabb box) {
 
 }  // namespace
 
-LeafSolid::LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips, SharedSolids bounds, BoundTest bound_test)
+LeafSolid::LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips, SharedSolids bounds, BoundTest bound_test,
+                     bool box_tested)
     : leaf_(std::move(leaf)),
       shape_(leaf_->shape.get()),
       clips_(std::move(clips)),
@@ -30,6 +31,10 @@ LeafSolid::LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips, SharedSolid
   const Aabb clipped = inside_all_within(clips_, Aabb::infinite());
   box = clips_.empty() ? shape_->bounds() : widened(shape_->surface_within(clipped)).intersection(clipped);
   box_cuts_ = limit_box(box, bounds_);
+  if (const auto limit = closing_box(clips_, box_cuts_ ? box : shape_->bounds()); limit && box_tested) {
+    box = shape_->bounds().is_finite() ? *limit : widened(shape_->surface_within(*limit)).intersection(*limit);
+    box_cuts_ = true;
+  }
   inside_box = inside_within(clipped);
   if (!shape_->obeys_clips()) clips_.clear();
   if (bound_test == BoundTest::kBoxOnly) bounds_.clear();

@@ -3,7 +3,8 @@
 //   * clips (`clipped_by`): a hit survives if its point is inside all of them; so does the inside test. The cut is left open.
 //   * bounds (`bounded_by`): a ray that neither meets a bound nor starts inside it misses the solid as a whole; a bound cuts
 //     nothing along the ray. When the boxes of the bounds are smaller than the box of the shape they take its place, even if the
-//     shape is larger (§7.3.2): authors see that.
+//     shape is larger (§7.3.2): authors see that. They see it of clips too: an object clipped by a height field ends at the lowest
+//     ground, though everything below is inside. Not so where rays are not tested against the shape's box (`box_tested`).
 #pragma once
 
 #include <memory>
@@ -23,7 +24,7 @@ enum class BoundTest {
 class LeafSolid final : public Solid {
  public:
   explicit LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips = {}, SharedSolids bounds = {},
-                     BoundTest bound_test = BoundTest::kTested);
+                     BoundTest bound_test = BoundTest::kTested, bool box_tested = true);
 
   const Leaf& leaf() const { return *leaf_; }
   bool unclipped() const { return plain_; }  // the shape alone decides what is hit, and what is inside

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/shape/height_pyramid.hpp"
@@ -15,6 +16,7 @@ namespace {
 constexpr double kFullHeight = 65536;
 constexpr double kSlabSlack = 0.001;  // of the box, in units of height
 constexpr double kCellSlack = 1e-4;   // triangles reach this much into their neighbours
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // Normals at the grid's points: each component is a 16-bit integer, as the reference keeps them.
 using VertexNormal = std::array<std::int16_t, 3>;
@@ -105,7 +107,19 @@ class Landscape final : public ScannedShape<Landscape> {
   }
 
   Aabb bounds() const override { return to_world_.box({{0, low_, 0}, {grid_->width - 1.0, high_, grid_->depth - 1.0}}); }
-  Aabb inside_bounds() const override { return Aabb::infinite(); }  // the ground has no bottom
+  // The ground has no bottom. Each corner of the box goes as far as the signs of the matrix carry it; zero times the depth is zero.
+  Aabb inside_bounds() const override {
+    const Aabb ground{{0, -kNever, 0}, {grid_->width - 1.0, high_, grid_->depth - 1.0}};
+    Aabb box{to_world_.translation, to_world_.translation};
+    for (int axis = 0; axis < 3; ++axis)
+      for (int own = 0; own < 3; ++own) {
+        const double factor = to_world_.linear[own][axis];
+        if (factor == 0) continue;
+        box.lo[axis] += factor * (factor > 0 ? ground.lo : ground.hi)[own];
+        box.hi[axis] += factor * (factor > 0 ? ground.hi : ground.lo)[own];
+      }
+    return box;
+  }
   bool inside(const dvec3& point) const override {
     const dvec3 p = to_world_.inverse_point(point);
     if (!(p.x >= 0 && p.x < grid_->width - 1 && p.z >= 0 && p.z < grid_->depth - 1) || p.y >= high_) return false;

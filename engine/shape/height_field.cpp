@@ -84,25 +84,39 @@ class Landscape final : public ScannedShape<Landscape> {
     const Ray local = to_world_.inverse_ray(ray);
     const dvec3 reciprocal = 1.0 / local.direction;
     if (!cut(local, reciprocal, {0, low_, 0}, {grid_->width - 1.0, high_, grid_->depth - 1.0}, range)) return;
-    struct Square {
-      int level, x, z;
-    };
-    std::array<Square, 128> stack;  // three siblings a level, at most 32 levels
-    std::size_t top = 0;
-    stack[top++] = {pyramid_->levels() - 1, 0, 0};
-    const int far_x = local.direction.x < 0 ? 0 : 1;
-    const int far_z = local.direction.z < 0 ? 0 : 1;
-    while (top > 0) {
-      const Square s = stack[--top];
-      if (!meets_square(s.level, s.x, s.z, local, reciprocal, range)) continue;
-      if (s.level == 0) {
-        if (scan_cell(s.x, s.z, local, range, sink)) return;
-        continue;
+    // From square to square along the ray: down a level where the ray may meet the heights, up again where it leaves a larger square.
+    const dvec3& o = local.origin;
+    const dvec3& d = local.direction;
+    const int columns = grid_->width - 1, rows = grid_->depth - 1, coarsest = pyramid_->levels() - 1;
+    double t = range.lo;
+    int x = std::clamp(static_cast<int>(o.x + t * d.x), 0, columns - 1), z = std::clamp(static_cast<int>(o.z + t * d.z), 0, rows - 1);
+    for (int level = coarsest;;) {
+      const int square_x = x >> level, square_z = z >> level;
+      const int border_x = (square_x + (d.x > 0 ? 1 : 0)) << level, border_z = (square_z + (d.z > 0 ? 1 : 0)) << level;
+      const double leave_x = d.x == 0 ? kNever : (border_x - o.x) * reciprocal.x, leave_z = d.z == 0 ? kNever : (border_z - o.z) * reciprocal.z;
+      const double leave = std::min({leave_x, leave_z, range.hi});
+      const double y0 = o.y + t * d.y, y1 = o.y + leave * d.y;
+      const HeightPyramid::Range heights = pyramid_->range(level, square_x, square_z);
+      if (std::max(y0, y1) >= heights.lo - kSlabSlack && std::min(y0, y1) <= heights.hi + kSlabSlack) {
+        if (level > 0) {
+          --level;
+          continue;
+        }
+        if (scan_cell(x, z, local, range, sink)) return;
       }
-      // Farthest onto the stack first.
-      for (const auto& [dx, dz] : {std::pair(far_x, far_z), std::pair(1 - far_x, far_z), std::pair(far_x, 1 - far_z),
-                                   std::pair(1 - far_x, 1 - far_z)})
-        if (pyramid_->exists(s.level - 1, 2 * s.x + dx, 2 * s.z + dz)) stack[top++] = {s.level - 1, 2 * s.x + dx, 2 * s.z + dz};
+      if (leave >= range.hi) return;
+      t = std::max(t, leave);
+      const bool over_x = leave_x <= leave_z;
+      if (over_x) {
+        x = d.x > 0 ? border_x : border_x - 1;
+        if (x < 0 || x >= columns) return;
+        z = std::clamp(static_cast<int>(o.z + t * d.z), square_z << level, std::min((square_z + 1) << level, rows) - 1);
+      } else {
+        z = d.z > 0 ? border_z : border_z - 1;
+        if (z < 0 || z >= rows) return;
+        x = std::clamp(static_cast<int>(o.x + t * d.x), square_x << level, std::min((square_x + 1) << level, columns) - 1);
+      }
+      if (level < coarsest && (((over_x ? border_x : border_z) >> level) & 1) == 0) ++level;
     }
   }
 
@@ -170,13 +184,6 @@ class Landscape final : public ScannedShape<Landscape> {
       range = {std::max(range.lo, near), std::min(range.hi, far)};
     }
     return !range.empty();
-  }
-
-  bool meets_square(int level, int x, int z, const Ray& ray, const dvec3& reciprocal, Interval range) const {
-    const HeightPyramid::Range heights = pyramid_->range(level, x, z);
-    const double side = static_cast<double>(1ll << level);
-    return cut(ray, reciprocal, {x * side - kCellSlack, heights.lo - kSlabSlack, z * side - kCellSlack},
-               {(x + 1) * side + kCellSlack, heights.hi + kSlabSlack, (z + 1) * side + kCellSlack}, range);
   }
 
   dvec3 face_normal(int x, int z, std::uint32_t upper) const {

@@ -5,7 +5,9 @@
 // A landscape over the unit square of x and z, with heights of up to 1: the bottom row of the image lies at z = 0. water_level (default
 // 0): what lies below is cut away; smooth: normals are interpolated.
 //
-// Every cell between four pixels is two triangles. The ray descends a pyramid of least and greatest heights, nearer cells first.
+// Every cell between four pixels is two triangles. The ray goes from square to square of a pyramid of
+// least and greatest heights (A. Tevs, I. Ihrke, H.-P. Seidel, Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field
+// Rendering, 2008).
 // Smooth normals are kept as 16-bit integers, and those of steep ground are coarse: authors see it.
 // Inside: below the ground, without limit downward.
 // Source: specification chapter 21 §6.

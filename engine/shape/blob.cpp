@@ -7,7 +7,7 @@
 #include <span>
 
 #include "engine/accel/bvh.hpp"
-#include "engine/math/polynomial.hpp"
+#include "engine/math/root_walk.hpp"
 #include "engine/shape/axis_frame.hpp"
 #include "engine/shape/scanned_shape.hpp"
 
@@ -132,14 +132,13 @@ class BlobSurface final : public ScannedShape<BlobSurface> {
       if (!(hi > lo)) continue;
       while (started < stretches.size() && stretches[started].begin <= lo) ++started;
       const std::array<double, 5> c = density_along({stretches.data(), started}, lo);
-      const Interval within{0, hi - lo};
-      if (!may_have_root(c, within)) continue;
-      for (const double root : solve_quartic(c, within)) {
+      const bool enough = walk_roots(c, {0, hi - lo}, [&](double root) {
         const double t = lo + root;
-        if (t <= last) continue;  // a root at a joint belongs to both sides
+        if (t <= last) return false;  // a root at a joint belongs to both sides
         last = t;
-        if (t > nearest_ && sink(t, 0)) return;
-      }
+        return t > nearest_ && sink(t, 0);
+      });
+      if (enough) return;
     }
   }
 

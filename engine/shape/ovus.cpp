@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/math/polynomial.hpp"
+#include "engine/math/root_walk.hpp"
 #include "engine/shape/scanned_shape.hpp"
 #include "engine/shape/sphere.hpp"
 #include "engine/shape/unit_sphere_uv.hpp"
@@ -39,6 +39,7 @@ class Egg final : public ScannedShape<Egg> {
     Ray local = to_world_.inverse_ray(ray);
     const double length = glm::length(local.direction);
     local.direction /= length;
+    int found = 0;
     const auto on_sphere = [&](double center_y, double radius, std::uint32_t part) {
       const dvec3 w = dvec3(0, center_y, 0) - local.origin;
       const double b = glm::dot(w, local.direction);
@@ -47,12 +48,14 @@ class Egg final : public ScannedShape<Egg> {
       if (!(h > 0)) return;
       for (const double t : {b - std::sqrt(h), b + std::sqrt(h)}) {
         const double y = local.origin.y + t * local.direction.y;
-        if (part == kBottom ? y < y_lo_ : y > y_hi_) sink(t / length, part);
+        if (!(part == kBottom ? y < y_lo_ : y > y_hi_)) continue;
+        sink(t / length, part);
+        ++found;
       }
     };
     on_sphere(0, bottom_, kBottom);
     on_sphere(bottom_, top_, kTop);
-    scan_joint(local, length, range, sink);
+    if (found < 2) scan_joint(local, length, range, sink);  // an egg is convex
   }
 
   Aabb bounds() const override {
@@ -86,21 +89,44 @@ class Egg final : public ScannedShape<Egg> {
   void scan_joint(const Ray& ray, double length, Interval range, Sink& sink) const {
     const dvec3 from = ray.origin - dvec3(0, center_y_, 0);
     const dvec3& d = ray.direction;
-    const double shift = -glm::dot(from, d);
+    Interval within{range.lo * length, range.hi * length};
+    if (!cut_to_joint(ray, within)) return;
+    const double shift = within.lo;
     const dvec3 p = from + shift * d;
     const double k1 = glm::dot(p, p) - ring_ * ring_ - joint_ * joint_;
     const double k2 = glm::dot(p, d);
     const double r2 = ring_ * ring_;
     const std::array<double, 5> c{k1 * k1 + 4 * r2 * (p.y * p.y - joint_ * joint_), 4 * (k2 * k1 + 2 * r2 * p.y * d.y),
                                   2 * (k1 + 2 * (k2 * k2 + r2 * d.y * d.y)), 4 * k2, 1};
-    const Interval within{range.lo * length - shift, range.hi * length - shift};
-    for (const double root : solve_quartic(c, within)) {
+    walk_roots(c, {0, within.hi - shift}, [&](double root) {
       const dvec3 q = p + root * d;
       const double y = q.y + center_y_;
-      if (!(y > y_lo_ && y < y_hi_)) continue;
+      if (!(y > y_lo_ && y < y_hi_)) return false;
       const double rho = std::hypot(q.x, q.z) + ring_;
-      if (std::abs(rho * rho + q.y * q.y - joint_ * joint_) < 1e-4 * joint_ * joint_) sink((root + shift) / length, kJoint);
+      if (!(std::abs(rho * rho + q.y * q.y - joint_ * joint_) < 1e-4 * joint_ * joint_)) return false;
+      return sink((root + shift) / length, kJoint);
+    });
+  }
+
+  // The part of the ray within the slab and the cylinder around the joint, a little widened.
+  bool cut_to_joint(const Ray& ray, Interval& within) const {
+    const dvec3& d = ray.direction;
+    const double slack = 1e-9 * joint_;
+    if (d.y != 0) {
+      const double t0 = (y_lo_ - slack - ray.origin.y) / d.y, t1 = (y_hi_ + slack - ray.origin.y) / d.y;
+      within = {std::max(within.lo, std::min(t0, t1)), std::min(within.hi, std::max(t0, t1))};
+    } else if (ray.origin.y < y_lo_ || ray.origin.y > y_hi_) {
+      return false;
     }
+    const double a = d.x * d.x + d.z * d.z, reach = joint_ - ring_ + slack;
+    if (a > 0) {
+      const double b = ray.origin.x * d.x + ray.origin.z * d.z, across = ray.origin.x * d.z - ray.origin.z * d.x;
+      const double square = a * reach * reach - across * across;
+      if (!(square >= 0)) return false;
+      const double root = std::sqrt(square);
+      within = {std::max(within.lo, (-b - root) / a), std::min(within.hi, (-b + root) / a)};
+    }
+    return !within.empty() && std::isfinite(within.hi - within.lo);
   }
 
   double bottom_, top_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/math/polynomial.hpp"
+#include "engine/math/root_walk.hpp"
 #include "engine/shape/empty_shape.hpp"
 #include "engine/shape/scanned_shape.hpp"
 
@@ -40,7 +40,7 @@ class Ring final : public ScannedShape<Ring> {
       return;
     }
     const double root = std::sqrt(inner_square);
-    scan_stretch(local, {stretch.lo, std::min(stretch.hi, (-b - root) / a)}, 1 / length, sink);
+    if (scan_stretch(local, {stretch.lo, std::min(stretch.hi, (-b - root) / a)}, 1 / length, sink)) return;
     scan_stretch(local, {std::max(stretch.lo, (-b + root) / a), stretch.hi}, 1 / length, sink);
   }
 
@@ -91,10 +91,10 @@ class Ring final : public ScannedShape<Ring> {
     return !stretch.empty();
   }
 
-  // The roots within one stretch, with the origin moved to its beginning.
+  // The roots within one stretch, with the origin moved to its beginning; true if the sink needs no farther ones.
   template <class Sink>
-  void scan_stretch(const Ray& ray, Interval stretch, double scale, Sink& sink) const {
-    if (stretch.empty()) return;
+  bool scan_stretch(const Ray& ray, Interval stretch, double scale, Sink& sink) const {
+    if (stretch.empty()) return false;
     const dvec3 p = ray.at(stretch.lo);
     const dvec3& d = ray.direction;
     const double rho = std::sqrt(p.x * p.x + p.z * p.z);
@@ -110,9 +110,7 @@ class Ring final : public ScannedShape<Ring> {
         4 * k2,
         1,
     };
-    const Interval within{0, stretch.hi - stretch.lo};
-    if (!may_have_root(c, {0, within.hi * (1 + 1e-9)})) return;
-    for (const double root : solve_quartic(c, within)) sink((stretch.lo + root) * scale, 0);
+    return walk_roots(c, {0, stretch.hi - stretch.lo}, [&](double root) { return sink((stretch.lo + root) * scale, 0); });
   }
 
   double major_, minor_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/math/polynomial.hpp"
+#include "engine/math/root_walk.hpp"
 #include "engine/shape/revolution_shell.hpp"
 #include "engine/shape/scanned_shape.hpp"
 #include "engine/shape/unit_sphere_uv.hpp"
@@ -120,9 +121,17 @@ class TurnedProfile final : public ScannedShape<TurnedProfile> {
       for (std::size_t j = 0; j <= degree_; ++j) e[i + j] += a * y[i] * y[j] - d.y * d.y * x[i] * x[j];
     for (std::size_t i = 0; i <= degree_; ++i) e[i] += 2 * b * d.y * y[i];
     e[0] += d.y * d.y * c;
-    for (const double root : solve_polynomial({e.data(), 2 * degree_ + 1}, kSegment)) {
+    const auto at_parameter = [&](double root) {
       const double w = std::clamp(root, 0.0, 1.0);
       emit_depths(curve.at(w) - dvec2(0, p.y), d.y, a, b, c, [&](double t) { emit(t, w); });
+      return false;
+    };
+    if (degree_ == 1) {
+      walk_roots(std::array{e[0], e[1], e[2]}, kSegment, at_parameter);
+    } else if (degree_ == 2) {
+      walk_roots(std::array{e[0], e[1], e[2], e[3], e[4]}, kSegment, at_parameter);
+    } else {
+      walk_roots(e, kSegment, at_parameter);
     }
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/math/polynomial.hpp"
+#include "engine/math/root_walk.hpp"
 #include "engine/shape/scanned_shape.hpp"
 
 namespace lute {
@@ -98,6 +99,7 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     local.direction /= length;
     const double dy = local.direction.y;
     if (std::abs(dy) < kEpsilon && (local.origin.y < low_ || local.origin.y > high_)) return;
+    if (!line_meets_box(local)) return;
     if (!open_ && std::abs(dy) >= kEpsilon) {
       for (const double height : {high_, low_}) {
         const double t = (height - local.origin.y) / dy;
@@ -120,14 +122,7 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
   }
 
   Aabb bounds() const override {
-    if (segments_.empty()) return {};
-    Aabb box;
-    for (const double height : {low_, high_}) {
-      const double k = conic_ ? height : 1;
-      box.join({k * x_.lo, height, k * z_.lo});
-      box.join({k * x_.hi, height, k * z_.hi});
-    }
-    return to_world_.box(box);
+    return segments_.empty() ? Aabb{} : to_world_.box(local_box());
   }
   bool inside(const dvec3& point) const override {
     const dvec3 p = to_world_.inverse_point(point);
@@ -149,6 +144,34 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
   }
 
  private:
+  Aabb local_box() const {
+    Aabb box;
+    for (const double height : {low_, high_}) {
+      const double k = conic_ ? height : 1;
+      box.join(dvec3(k * x_.lo, height, k * z_.lo));
+      box.join(dvec3(k * x_.hi, height, k * z_.hi));
+    }
+    return box;
+  }
+
+  // Whether the line of the ray passes the box of the outline, which may lie in the world as it likes.
+  bool line_meets_box(const Ray& ray) const {
+    const Aabb box = local_box();
+    const dvec3 slack = 1e-9 * (box.hi - box.lo);
+    double near = -std::numeric_limits<double>::infinity(), far = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = box.lo[axis] - slack[axis] - ray.origin[axis], high = box.hi[axis] + slack[axis] - ray.origin[axis];
+      const double d = ray.direction[axis];
+      if (d == 0) {
+        if (low > 0 || high < 0) return false;
+        continue;
+      }
+      near = std::max(near, std::min(low / d, high / d));
+      far = std::min(far, std::max(low / d, high / d));
+    }
+    return near <= far;
+  }
+
   // Gives segments that meet the same corner, to the last bit.
   void join_corners() {
     for (std::size_t i = 0, start = 0; i < segments_.size(); ++i) {
@@ -207,11 +230,12 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     std::array<double, 4> c;
     for (std::size_t i = 0; i < 4; ++i) c[i] = d.z * x[i] - d.x * z[i];
     c[0] -= d.z * p.x - d.x * p.z;
-    for (const double root : roots_on_segment(c)) {
+    walk_roots(c, kSegment, [&](double root) {
       const double w = std::clamp(root, 0.0, 1.0);
       const dvec2 at = segment.curve.at(w);
       emit(std::abs(d.x) > std::abs(d.z) ? (at.x - p.x) / d.x : (at.y - p.z) / d.z, w);
-    }
+      return false;
+    });
   }
 
   // A straight segment is hit where its ends lie on different sides of the ray's line; what lies on the line counts with one of
@@ -241,17 +265,16 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     std::array<double, 4> c;
     for (std::size_t i = 0; i < 4; ++i) c[i] = k1 * x[i] + k2 * z[i];
     c[0] += k3;
-    for (const double root : roots_on_segment(c)) {
+    walk_roots(c, kSegment, [&](double root) {
       const double w = std::clamp(root, 0.0, 1.0);
       const dvec2 at = segment.curve.at(w);
       const double by_x = d.x - at.x * d.y;
       const double by_z = d.z - at.y * d.y;
-      if (std::max(std::abs(by_x), std::abs(by_z)) <= kEpsilon) continue;
-      emit(std::abs(by_x) > std::abs(by_z) ? (at.x * p.y - p.x) / by_x : (at.y * p.y - p.z) / by_z, w);
-    }
+      if (std::max(std::abs(by_x), std::abs(by_z)) > kEpsilon)
+        emit(std::abs(by_x) > std::abs(by_z) ? (at.x * p.y - p.x) / by_x : (at.y * p.y - p.z) / by_z, w);
+      return false;
+    });
   }
-
-  Roots<3> roots_on_segment(const std::array<double, 4>& c) const { return solve_cubic(c, kSegment); }
 
   std::vector<PrismSegment> segments_;
   int degree_ = 1;

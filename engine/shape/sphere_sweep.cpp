@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/math/certified_roots.hpp"
 #include "engine/math/polynomial.hpp"
 #include "engine/shape/scanned_shape.hpp"
 
@@ -112,6 +113,7 @@ class Sweep final : public ScannedShape<Sweep> {
       const auto& after = linear ? b : p[i + 3];
       segments_.push_back({interpolate(spline_, before.center, a.center, b.center, after.center),
                            interpolate(spline_, before.radius, a.radius, b.radius, after.radius)});
+      boxes_.push_back(segment_box(segments_.back()));
     }
   }
 
@@ -140,21 +142,7 @@ class Sweep final : public ScannedShape<Sweep> {
 
   Aabb bounds() const override {
     Aabb box;
-    for (const SweepSegment& s : segments_) {
-      Aabb part;
-      for (int axis = 0; axis < 3; ++axis) {
-        std::array<double, 4> low, high;
-        for (std::size_t i = 0; i < 4; ++i) {
-          low[i] = s.center[i][axis] - s.radius[i];
-          high[i] = s.center[i][axis] + s.radius[i];
-        }
-        const Interval l = cubic_value_range(low, kSegment);
-        const Interval h = cubic_value_range(high, kSegment);
-        part.lo[axis] = std::min(l.lo, h.lo);
-        part.hi[axis] = std::max(l.hi, h.hi);
-      }
-      box.join(part);
-    }
+    for (const Aabb& part : boxes_) box.join(part);
     return to_world_.box(box);
   }
   bool inside(const dvec3& point) const override {
@@ -171,14 +159,56 @@ class Sweep final : public ScannedShape<Sweep> {
   }
 
  private:
-  void collect(const Ray& ray, Candidates& out) const {
-    for (const SweepSegment& s : segments_) add_sphere(ray, s.center_at(0), s.radius_at(0), out);
-    add_sphere(ray, segments_.back().center_at(1), segments_.back().radius_at(1), out);
-    for (const SweepSegment& s : segments_) {
-      add_closing_plane(ray, s, 0, out);
-      add_closing_plane(ray, s, 1, out);
+  // Around all spheres of a segment.
+  static Aabb segment_box(const SweepSegment& s) {
+    Aabb box;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::array<double, 4> low, high;
+      for (std::size_t i = 0; i < 4; ++i) {
+        low[i] = s.center[i][axis] - s.radius[i];
+        high[i] = s.center[i][axis] + s.radius[i];
+      }
+      const Interval l = cubic_value_range(low, kSegment);
+      const Interval h = cubic_value_range(high, kSegment);
+      box.lo[axis] = std::min(l.lo, h.lo);
+      box.hi[axis] = std::max(l.hi, h.hi);
     }
-    for (const SweepSegment& s : segments_) {
+    return box;
+  }
+
+  // Whether the line of the ray, also behind its origin, passes a box; a little generously.
+  static bool line_meets(const Ray& ray, const dvec3& reciprocal, const Aabb& box) {
+    Interval depths{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    const dvec3 slack = 1e-9 * (box.hi - box.lo);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = box.lo[axis] - slack[axis] - ray.origin[axis], high = box.hi[axis] + slack[axis] - ray.origin[axis];
+      if (ray.direction[axis] == 0) {
+        if (low > 0 || high < 0) return false;
+        continue;
+      }
+      const double a = low * reciprocal[axis], b = high * reciprocal[axis];
+      depths = {std::max(depths.lo, std::min(a, b)), std::min(depths.hi, std::max(a, b))};
+    }
+    return depths.lo <= depths.hi;
+  }
+
+  // What a segment adds lies in its box, so that segments beside the ray are left out.
+  void collect(const Ray& ray, Candidates& out) const {
+    thread_local std::vector<const SweepSegment*> met;
+    met.clear();
+    const dvec3 reciprocal = 1.0 / ray.direction;
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      if (line_meets(ray, reciprocal, boxes_[i])) met.push_back(&segments_[i]);
+    if (met.empty()) return;
+    for (const SweepSegment* s : met) add_sphere(ray, s->center_at(0), s->radius_at(0), out);
+    // The sphere where a segment ends is that where the next one begins; if that one is beside the ray, so is the sphere.
+    if (met.back() == &segments_.back()) add_sphere(ray, segments_.back().center_at(1), segments_.back().radius_at(1), out);
+    for (const SweepSegment* s : met) {
+      add_closing_plane(ray, *s, 0, out);
+      add_closing_plane(ray, *s, 1, out);
+    }
+    for (const SweepSegment* segment : met) {
+      const SweepSegment& s = *segment;
       // The polynomials are set up about the ray's point nearest to the segment.
       const double shift = glm::dot(s.center_at(0.5) - ray.origin, ray.direction);
       const Ray near{ray.at(shift), ray.direction};
@@ -226,7 +256,7 @@ class Sweep final : public ScannedShape<Sweep> {
     const auto db2_c = product(product(db, db), c);
     for (std::size_t i = 0; i < b_db_dc.size(); ++i) e[i] += db2_c[i] - b_db_dc[i];
     if (!may_have_root(e, kSegment)) return;
-    for (const double u : solve_polynomial(e, kSegment)) add_whole_sphere(ray, s.center_at(u), s.radius_at(u), out);
+    for (const double u : certified_roots(e, kSegment)) add_whole_sphere(ray, s.center_at(u), s.radius_at(u), out);
   }
 
   // Both hits, wherever the origin is: the ray has been moved.
@@ -241,6 +271,7 @@ class Sweep final : public ScannedShape<Sweep> {
 
   SphereSweep::Spline spline_;
   std::vector<SweepSegment> segments_;
+  std::vector<Aabb> boxes_;  // of the segments
   double tolerance_;
   Transform to_world_;
 };

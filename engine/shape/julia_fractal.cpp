@@ -20,7 +20,7 @@ constexpr double kFinest = 1e-7;  // bracket in which a hit is found
 // them.
 using Orbit = std::vector<dvec4>;
 
-// A hit keeps its normal in the fractal's space: it depends on the iterates.
+// A hit keeps its place in the fractal's space, or for functions its normal there.
 class JuliaSet final : public ScannedShape<JuliaSet> {
  public:
   JuliaSet(const JuliaFractal& fractal, const Transform& to_world)
@@ -67,8 +67,13 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
       t = bracket(local, t - step, step, inside, orbit);
       const double far = t + step;
       const double hit = inside ? t : far;
-      const dvec3 n = local_normal(local.at(hit), orbit);
-      if (sink(hit / length, 0, std::array<double, 3>{n.x, n.y, n.z})) return;
+      // The normal of a function depends on what the array of iterates still holds; others are computed when they are asked for.
+      dvec3 kept = local.at(hit);
+      if (by_function_) {
+        escape_step(plain_start(kept), orbit);
+        kept = hypercomplex_normal(orbit, steps_);
+      }
+      if (sink(hit / length, 0, std::array<double, 3>{kept.x, kept.y, kept.z})) return;
       inside = !inside;
       t = far;
       step = least_step_;
@@ -85,10 +90,17 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   bool inside(const dvec3& point) const override {
     thread_local Orbit orbit;
     orbit.resize(steps_ + 1);
-    return escape_step(plain_start(to_world_.inverse_point(point)), orbit) == 0;
+    return stays(to_world_.inverse_point(point), orbit);
   }
   dvec3 normal(const ShapeHit& hit, const dvec3&) const override {
-    const dvec3 n = to_world_.normal({hit.data[0], hit.data[1], hit.data[2]});
+    dvec3 local(hit.data[0], hit.data[1], hit.data[2]);
+    if (!by_function_) {
+      thread_local Orbit orbit;
+      orbit.assign(steps_ + 1, dvec4(0));
+      escape_step(plain_start(local), orbit);
+      local = quaternion_ ? quaternion_normal(orbit) : hypercomplex_normal(orbit, steps_);
+    }
+    const dvec3 n = to_world_.normal(local);
     const double length = glm::length(n);
     return length > 0 ? n / length : dvec3(1, 0, 0);
   }
@@ -123,18 +135,41 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     return escape_step_of(z, orbit, [this](const dvec4& q) { return hypercomplex_function(f_.function, f_.exponent, q); });
   }
 
+  // The same for quaternions, without a record of the orbit: the step, and the product of the squared lengths of what came before it.
+  std::size_t quaternion_escape(dvec4 z, double& norm, double& product) const {
+    const dvec4 c = f_.constant;
+    const bool cube = f_.function == Function::kCube;
+    product = 1;
+    for (std::size_t i = 1; i <= steps_; ++i) {
+      const double d = z.y * z.y + z.z * z.z + z.w * z.w, x2 = z.x * z.x;
+      norm = x2 + d;
+      if (norm > escape_) return i;
+      product *= norm;
+      const double k = cube ? 3 * x2 - d : 2 * z.x;
+      z = dvec4(cube ? z.x * (x2 - 3 * d) : x2 - d, k * z.y, k * z.z, k * z.w) + c;
+    }
+    return 0;
+  }
+
+  // The plain inside test of a point.
+  bool stays(const dvec3& p, Orbit& orbit) const {
+    double norm, product;
+    return quaternion_ ? quaternion_escape(start(p), norm, product) == 0 : escape_step(plain_start(p), orbit) == 0;
+  }
+
   // Whether the point is inside; `step` becomes how far the ray may advance.
   bool evaluate(const dvec3& p, const dvec3& direction, Orbit& orbit, double& step) const {
+    if (quaternion_) {
+      // The length of a product of quaternions is the product of their lengths.
+      double norm, product;
+      const std::size_t escaped = quaternion_escape(start(p), norm, product);
+      step = escaped == 0 ? least_step_ : shares_[escaped] * std::log(norm) / std::sqrt(product);
+      return escaped == 0;
+    }
     const std::size_t i = escape_step(start(p), orbit);
     step = least_step_;
     if (i == 0) return true;
     const double norm = glm::dot(orbit[i - 1], orbit[i - 1]);
-    if (quaternion_) {
-      dvec4 q = orbit[0];
-      for (std::size_t j = 1; j < i; ++j) q = quaternion_product(q, orbit[j]);
-      step = shares_[i] * std::sqrt(norm / glm::dot(q, q)) * std::log(norm);
-      return false;
-    }
     const double slope = glm::dot(hypercomplex_normal(orbit, i - 1), direction);
     const double s = -2 * slope;
     if (slope < -1e-8 && least_step_ * s < norm && norm < 30 * least_step_ * s) step = norm / s;
@@ -145,14 +180,9 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   double bracket(const Ray& ray, double t, double& step, bool inside, Orbit& orbit) const {
     while (step > kFinest) {
       step *= 0.5;
-      if ((escape_step(plain_start(ray.at(t + step)), orbit) == 0) == inside) t += step;
+      if (stays(ray.at(t + step), orbit) == inside) t += step;
     }
     return t;
-  }
-
-  dvec3 local_normal(const dvec3& p, Orbit& orbit) const {
-    escape_step(plain_start(p), orbit);
-    return quaternion_ ? quaternion_normal(orbit) : hypercomplex_normal(orbit, steps_);
   }
 
   dvec3 quaternion_normal(const Orbit& orbit) const {

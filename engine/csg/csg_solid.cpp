@@ -12,7 +12,8 @@ CsgSolid::CsgSolid(CsgKind kind, Children children, SharedSolids clips, SharedSo
       children_(std::move(children)),
       clips_(std::move(clips)),
       bounds_(std::move(bounds)),
-      tree_(set_boxes()) {
+      tree_(set_boxes()),
+      refusals_(refusals()) {
   for (const auto& child : children_) {
     const auto* leaf = dynamic_cast<const LeafSolid*>(child.get());
     leaves_.push_back(leaf != nullptr && leaf->unclipped() ? leaf : nullptr);
@@ -52,6 +53,27 @@ ChildTree CsgSolid::set_boxes() {
     box_cuts_ = true;
   }
   return ChildTree(std::move(ray_boxes), all_boxes, std::move(boxed));
+}
+
+ChildTree CsgSolid::refusals() const {
+  std::vector<Aabb> boxes;
+  if (all_children_needed())
+    for (const auto& child : children_) boxes.push_back(child->outside_bounds());
+  const std::size_t count = boxes.size();
+  return ChildTree(boxes, boxes, std::vector<bool>(count, false));
+}
+
+Aabb CsgSolid::outside_bounds() const {
+  if (!clips_.empty() || children_.empty()) return Aabb::infinite();
+  Aabb result = all_children_needed() ? Aabb() : Aabb::infinite();
+  for (const auto& child : children_) {
+    const Aabb part = child->outside_bounds();
+    if (all_children_needed())
+      result.join(part);
+    else
+      result = result.intersection(part);
+  }
+  return result;
 }
 
 Aabb CsgSolid::hits_within(const Aabb& region) const {
@@ -94,9 +116,9 @@ bool CsgSolid::meets_bounds(const Ray& ray) const {
 bool CsgSolid::survives(std::size_t child, const dvec3& point, RayKind kind) const {
   if (kind_ == CsgKind::kUnion) return true;
   if (all_children_needed()) {
-    for (std::size_t i = 0; i < children_.size(); ++i)
-      if (i != child && !inside_child(i, point)) return false;
-    return true;
+    bool refused = false;
+    refusals_.around(point, [&](std::uint32_t i) { return refused = i != child && !inside_child(i, point); });
+    return !refused;
   }
   bool hidden = false;
   tree_.around(point, [&](std::uint32_t i) {
@@ -219,7 +241,11 @@ bool CsgSolid::inside(const dvec3& point) const {
 
 bool CsgSolid::plain_inside(const dvec3& point) const {
   if (children_.empty()) return false;
-  if (all_children_needed()) return std::ranges::all_of(children_, [&](const auto& child) { return child->inside(point); });
+  if (all_children_needed()) {
+    bool refused = false;
+    refusals_.around(point, [&](std::uint32_t i) { return refused = !children_[i]->inside(point); });
+    return !refused;
+  }
   bool found = false;
   tree_.around(point, [&](std::uint32_t i) {
     found = children_[i]->inside(point);

@@ -43,6 +43,7 @@ class CsgSolid final : public Solid {
   void leaves(std::vector<const Leaf*>& out) const override;
   Aabb hits_within(const Aabb& region) const override;
   Aabb inside_within(const Aabb& region) const override;
+  Aabb outside_bounds() const override;
 
   // The textures of an untextured surface point under cutaway_textures (§6.5). Appends nothing where the surface is black.
   void cutaway_shares(const dvec3& point, CutawayShares& out) const;
@@ -54,6 +55,7 @@ class CsgSolid final : public Solid {
   bool in_clips(const dvec3& point) const;
   bool meets_bounds(const Ray& ray) const;
   ChildTree set_boxes();
+  ChildTree refusals() const;
   bool inside_child(std::size_t child, const dvec3& point) const {
     return leaves_[child] != nullptr ? leaves_[child]->inside_shape(point) : children_[child]->inside(point);
   }
@@ -68,6 +70,7 @@ class CsgSolid final : public Solid {
   std::vector<const LeafSolid*> leaves_;  // the children that are unclipped leaves, most of them; null for the others
   SharedSolids clips_, bounds_;
   ChildTree tree_;
+  ChildTree refusals_;  // of an intersection: the children that may not have a point inside, which of many cutters are few
 };
 
 }  // namespace lute

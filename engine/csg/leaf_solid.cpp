@@ -89,6 +89,11 @@ Aabb LeafSolid::inside_within(const Aabb& region) const {
   return widened(shape_->inside_within(inside_all_within(clips_, limits), inverted_)).intersection(limits);
 }
 
+Aabb LeafSolid::outside_bounds() const {
+  const bool everywhere = !inverted_ || patch_ || !clips_.empty();
+  return everywhere ? Aabb::infinite() : widened(shape_->inside_bounds());
+}
+
 void LeafSolid::leaves(std::vector<const Leaf*>& out) const { out.push_back(leaf_.get()); }
 
 }  // namespace lute

@@ -42,6 +42,7 @@ class LeafSolid final : public Solid {
   void leaves(std::vector<const Leaf*>& out) const override;
   Aabb hits_within(const Aabb& region) const override;
   Aabb inside_within(const Aabb& region) const override;
+  Aabb outside_bounds() const override;
 
  private:
   std::unique_ptr<Leaf> leaf_;

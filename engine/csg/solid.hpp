@@ -84,6 +84,8 @@ class Solid {
   // Boxes around the hits and around the points accepted by inside() that lie in `region`; within `box` and `inside_box`.
   virtual Aabb hits_within(const Aabb& region) const = 0;
   virtual Aabb inside_within(const Aabb& region) const = 0;
+  // Box around the points that inside() refuses: finite for what was inverted, the cutters of a difference.
+  virtual Aabb outside_bounds() const { return Aabb::infinite(); }
 
   Visibility visibility;
   bool opaque = false;  // every leaf is opaque

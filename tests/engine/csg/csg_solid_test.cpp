@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <random>
 
 #include "engine/shape/box.hpp"
@@ -232,6 +233,54 @@ TEST(Csg, ManyChildrenAgreeWithAskingEach) {
       const dvec3 point(x, y, 3 * unit(random));
       EXPECT_EQ(csg.inside(point), std::ranges::any_of(alone, [&](const auto& child) { return child->inside(point); }));
     }
+  }
+}
+
+// A box with a grid of spheres cut out; the same cells again when there are more of them.
+std::unique_ptr<CsgSolid> sieve(int side) {
+  CsgSolid::Children children;
+  children.push_back(leaf(Box{dvec3(-1, -1, -0.2), dvec3(1, 1, 0.2)}, 0));
+  const double cell = 2.0 / side;
+  for (int i = 0; i < side; ++i)
+    for (int k = 0; k < side; ++k)
+      children.push_back(leaf(Sphere{{-1 + cell * (i + 0.5), -1 + cell * (k + 0.5), -0.2}, 0.45 * cell}, 1, true));
+  return std::make_unique<CsgSolid>(CsgKind::kDifference, std::move(children));
+}
+
+TEST(Csg, TenTimesTheChildrenCostTenTimesTheWorkAtMost) {
+  // Seconds of processor time to build, and to trace the same 2000 rays.
+  const auto cost = [](int side) {
+    const std::clock_t begin = std::clock();
+    const auto solid = sieve(side);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    int cut = 0;
+    for (int i = 0; i < 2000; ++i) {
+      Hit hit;
+      if (solid->nearest({{unit(random), unit(random), -10}, {0, 0, 1}}, kAhead, RayKind{}, hit) && hit.leaf->light_group == 1) ++cut;
+    }
+    EXPECT_NEAR(cut / 2000.0, std::acos(-1.0) * 0.45 * 0.45, 0.05);  // the share of a cell that its sphere takes
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  };
+  double few = kInfinity, many = kInfinity;
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    few = std::min(few, cost(32));    // 1,025 children
+    many = std::min(many, cost(100));  // 10,001 children
+  }
+  EXPECT_LT(many, 20 * few) << "1,025 children: " << few << " s, 10,001 children: " << many << " s";
+}
+
+TEST(Csg, NestedToDepthAHundred) {
+  // Each level cuts a sphere out of the front of the level below and adds one: at (k, 0) the inside of the cut is seen.
+  std::unique_ptr<Solid> nested = leaf(Sphere{{0, 0, 0}, 0.4}, 0);
+  for (int level = 1; level <= 100; ++level) {
+    auto cut = combine(CsgKind::kDifference, std::move(nested), leaf(Sphere{{level - 1, 0, -0.4}, 0.3}, 1000, true));
+    nested = combine(CsgKind::kMerge, std::move(cut), leaf(Sphere{{level, 0, 0}, 0.4}, level));
+  }
+  for (int level = 0; level < 100; ++level) {
+    EXPECT_EQ(seen(*nested, level, -0.35), level);
+    EXPECT_EQ(seen(*nested, level, 0), 1000) << level;
+    EXPECT_EQ(seen(*nested, level + 0.5, 0), -1);
   }
 }
 

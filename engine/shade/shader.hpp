@@ -14,7 +14,7 @@
 namespace lute {
 
 inline constexpr double kMinimumDepth = 1e-4;      // nearer hits of the surface that a ray leaves are ignored
-inline constexpr double kNearestDepth = 1e-10;     // the same for what touches that surface, and the camera
+inline constexpr double kNearestDepth = 1e-10;     // the same for what touches that surface behind it, and for the camera
 inline constexpr double kShadowTolerance = 1e-3;   // a shadow ray keeps this distance from both of its ends
 inline constexpr double kDepthOfMiss = 2e10;       // for fog and rainbow, where nothing is hit
 inline constexpr float kColorEpsilon = 1e-10f;

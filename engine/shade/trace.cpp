@@ -28,8 +28,11 @@ Color Shader::trace(const TracedRay& ray, float weight) {
   context_.counters.deepest_level = std::max(context_.counters.deepest_level, level_);
 
   Hit hit;
-  const bool found = scene_.tree->nearest(ray.ray, {kNearestDepth, ray.reach}, ray.kind, hit, context_.counters,
-                                          {ray.from, kMinimumDepth});
+  // What touches the surface that a ray passes, or the camera, is seen behind it. A ray that turns keeps clear of everything nearby, as in
+  // POV-Ray: the pictures of small things depend on it.
+  const bool straight = ray.continues || ray.from == nullptr;
+  const bool found = scene_.tree->nearest(ray.ray, {straight ? kNearestDepth : kMinimumDepth, ray.reach}, ray.kind, hit,
+                                          context_.counters, {ray.from, kMinimumDepth});
   Color color = found ? shade(ray, hit, weight) : miss(ray);
   if (plan_.volume_effects) add_volume_effects(ray, found ? hit.t : kDepthOfMiss, color);
 

@@ -1,16 +1,20 @@
 // The acceleration structure against Embree 3 (single rays, single precision, its default build quality): the same
-// million triangles, the same rays. One thread traces; the builds use all threads that they want.
+// million triangles of bench/scene/planet.pov, the same rays. One thread traces; the builds use all threads that they want.
 #include <benchmark/benchmark.h>
 #include <embree3/rtcore.h>
 
 #include <cmath>
 #include <random>
+#include <stdexcept>
+#include <variant>
 
 #include "engine/accel/counters.hpp"
 #include "engine/accel/scene_tree.hpp"
 #include "engine/accel/triangle_tree.hpp"
 #include "engine/csg/leaf_solid.hpp"
+#include "engine/shape/mesh.hpp"
 #include "engine/shape/sphere.hpp"
+#include "parser/parse.hpp"
 
 namespace lute {
 namespace {
@@ -20,26 +24,17 @@ struct Surface {
   std::vector<TriangleTree::Face> faces;
 };
 
-// A planet with mountains: 1000 x 500 cells of two triangles.
+// A planet with mountains, a mesh2 of a million triangles that a scene's loops write.
 const Surface& planet() {
   static const Surface surface = [] {
-    constexpr std::uint32_t kAround = 1000, kRings = 500;
-    Surface s;
-    for (std::uint32_t r = 0; r <= kRings; ++r)
-      for (std::uint32_t k = 0; k < kAround; ++k) {
-        const double theta = kPi * (r + 0.5) / (kRings + 1), phi = 2 * kPi * k / kAround;
-        const dvec3 p(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
-        double height = 1;
-        for (double f = 3, a = 0.1; f < 200; f *= 2, a *= 0.5)
-          height += a * std::sin(f * p.x + 1.3 * f) * std::sin(f * p.y + f) * std::sin(f * p.z + 0.7 * f);
-        s.vertices.emplace_back(height * p);
-      }
-    const auto at = [](std::uint32_t r, std::uint32_t k) { return r * kAround + k % kAround; };
-    for (std::uint32_t r = 0; r < kRings; ++r)
-      for (std::uint32_t k = 0; k < kAround; ++k) {
-        s.faces.push_back({at(r, k), at(r, k + 1), at(r + 1, k)});
-        s.faces.push_back({at(r, k + 1), at(r + 1, k + 1), at(r + 1, k)});
-      }
+    ParseOptions options;
+    options.input_file = LUTE_BENCH_SCENES "/planet.pov";
+    const ParseResult parsed = parse_scene(options);
+    if (!parsed.ok) throw std::runtime_error("cannot read " + options.input_file);
+    const auto& shape = std::get<AnyShape>(parsed.scene.objects.at(1)->geometry);  // behind the light
+    const MeshData& mesh = *std::get<Mesh>(shape).data;
+    Surface s{mesh.vertices, {}};
+    for (const MeshData::Indices& face : mesh.faces) s.faces.push_back({face[0], face[1], face[2]});
     return s;
   }();
   return surface;

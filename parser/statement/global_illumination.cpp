@@ -141,6 +141,7 @@ bool accept_photon_item(Reader& reader) {
 }  // namespace
 
 void parse_global_radiosity(Reader& reader) {
+  warn_not_rendered(reader, "radiosity");
   reader.open(Word::kRadiosity);
   RadiosityLimits limits;
   while (accept_radiosity_limit(reader, limits) || accept_radiosity_item(reader)) {
@@ -148,15 +149,14 @@ void parse_global_radiosity(Reader& reader) {
   reader.close(Word::kRadiosity);
   if (limits.pretrace_end > limits.pretrace_start) reader.error("Radiosity pretrace end must not exceed pretrace start.");
   check_reuse(reader, limits);
-  warn_not_rendered(reader, "radiosity");
 }
 
 void parse_global_photons(Reader& reader) {
+  warn_not_rendered(reader, "photons");
   reader.open(Word::kPhotons);
   while (accept_photon_item(reader)) {
   }
   reader.close(Word::kPhotons);
-  warn_not_rendered(reader, "photons");
 }
 
 }  // namespace lute

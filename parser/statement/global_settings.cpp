@@ -49,6 +49,7 @@ void parse_number_of_waves(Reader& reader) {
 }
 
 void parse_subsurface(Reader& reader) {
+  warn_not_rendered(reader, "subsurface");
   reader.open(Word::kSubsurface);
   while (true) {
     if (reader.accept(Word::kSamples)) {
@@ -62,7 +63,6 @@ void parse_subsurface(Reader& reader) {
     }
   }
   reader.close(Word::kSubsurface);
-  warn_not_rendered(reader, "subsurface");
 }
 
 void ignore_number(Reader& reader, const char* message) {

@@ -100,6 +100,7 @@ bool accept_item(Reader& reader, Media& media) {
 MediaPtr parse_media(Reader& reader) {
   NestingGuard guard(reader);
   const SourceLocation where = reader.location();
+  warn_not_rendered(reader, "media");
   reader.open(Word::kMedia);
   const auto named = reader.accept_identifier<MediaPtr>();
   Media media = named ? **named : default_media(reader);
@@ -107,7 +108,6 @@ MediaPtr parse_media(Reader& reader) {
   while (accept_item(reader, media)) {
   }
   reader.close(Word::kMedia);
-  warn_not_rendered(reader, "media");
   return std::make_shared<const Media>(std::move(media));
 }
 

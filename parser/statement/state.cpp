@@ -28,7 +28,7 @@ std::unique_ptr<StatementState> make_statement_state() { return std::make_unique
 
 void warn_not_rendered(Reader& reader, std::string_view feature) {
   if (statements_of(reader).not_rendered.insert(std::string(feature)).second)
-    reader.warning(std::string(feature) + " is not rendered yet");
+    reader.warning(std::string(feature) + (feature == "photons" ? " are" : " is") + " not rendered yet");
 }
 
 NestingGuard::NestingGuard(Reader& reader) : statements_(statements_of(reader)) {

@@ -47,7 +47,7 @@ class SceneStatements : public StatementState {
 
 SceneStatements& statements_of(Reader& reader);
 
-// Warns, once for each feature: "julia_fractal is not rendered yet".
+// Warns, once for each feature: "media is not rendered yet", at the keyword just taken.
 void warn_not_rendered(Reader& reader, std::string_view feature);
 
 // Guards the stack: blocks that contain blocks of their kind count their depth while they are read.

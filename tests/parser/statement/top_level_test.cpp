@@ -1,4 +1,5 @@
 // What stands between objects: settings, defaults, surroundings, the end of the scene (specification chapter 11 §2-5).
+#include "tests/parser/read_text.hpp"
 #include "tests/parser/statement/scene_text.hpp"
 
 namespace lute::test {
@@ -30,6 +31,14 @@ TEST(TopLevel, RadiosityAndPhotonsAreCheckedThoughNotRendered) {
   EXPECT_NE(rejection_of("global_settings { radiosity { count -1 } }"), "");
   EXPECT_NE(rejection_of("global_settings { radiosity { pretrace_start 0.1 pretrace_end 0.5 } }"), "");
   EXPECT_NE(rejection_of("global_settings { photons { gather 30, 20 } }"), "");
+}
+
+TEST(TopLevel, WarnsOfWhatIsNotRenderedAtItsKeyword) {
+  const Reading reading = read_text("global_settings { photons { count 50 } }");
+  const auto found = std::ranges::find(reading.diagnostics, "photons are not rendered yet", &Diagnostic::message);
+  ASSERT_NE(found, reading.diagnostics.end());
+  EXPECT_EQ(found->where.line, 2u);
+  EXPECT_EQ(found->where.column, 19u);
 }
 
 TEST(TopLevel, FogsAccumulateAndTurnTheirUpVector) {

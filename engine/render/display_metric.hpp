@@ -1,6 +1,11 @@
 // Colours and errors as they are seen: channels coded as in an sRGB file, clamped to 0...1. What lies above white or
 // below black costs no samples.
+//
+// Curves are tables over the square root of the value, which follows them closely: an estimate needs no more than their
+// six digits, and asks for them at every sample.
 #pragma once
+
+#include <array>
 
 #include "engine/image/color.hpp"
 #include "engine/image/gamma_curve.hpp"
@@ -24,11 +29,16 @@ class DisplayMetric {
   dvec4 sensitivity(const Color& color) const;
 
  private:
-  float coded(float value) const;
+  static constexpr int kSteps = 1024;
+  using Table = std::array<float, kSteps + 2>;  // of root 0 ... 1, and once more for interpolation
+
+  float exactly_coded(float value) const;
+  static float at_root_of(float value, const Table& table);
 
   bool unchanged_;
   GammaCurve working_;
   dvec4 weight_;  // of each channel in a mean square
+  Table coded_, slope2_;
 };
 
 }  // namespace lute

@@ -1,10 +1,11 @@
 // Antialiasing method 3, lute's own: a pixel is divided where its samples say that its error comes from, until the
 // estimated error is below the chosen bound.
 //
-// Every pixel begins with the samples at its four corners, which it shares with its neighbours. Where they say that their
-// mean may be off by more than the bound, the square of the pixel becomes four cells with one Owen-scrambled Sobol point
-// each. The cells whose samples differ most from those beside them, weighted with their area, are divided into four,
-// again and again.
+// Every pixel begins with the samples at its four corners, which it shares with its neighbours. Every other corner is
+// traced, as the black squares of a chequer; the others are traced where the four around them differ, and otherwise are
+// their mean. Where the corners of a pixel, and those around it, say that their mean may be off by more than the bound,
+// its square becomes four cells with one Owen-scrambled Sobol point each. The cells whose samples differ most from those beside them,
+// weighted with their area, are divided into four, again and again.
 #pragma once
 
 #include "engine/render/antialias.hpp"
@@ -24,15 +25,28 @@ class CornerSamples {
 
   CornerSamples(const PixelArea& area, const DisplayMetric& metric);
 
-  // Corner (x, y) is the top left one of pixel (x, y): one column and one row more than pixels.
+  // Corner (x, y) is the top left one of pixel (x, y). The corners of the pixels and a ring around them, so that a part
+  // of the picture does not depend on where it ends; black ones in two rings more.
   const PixelArea& area() const { return area_; }
-  void take(const PixelArea& block, PixelSource& source);  // a part of area()
+  const PixelArea& area_of_black() const { return area_of_black_; }
+
+  void trace_black(const PixelArea& block, PixelSource& source);  // a part of area_of_black()
+  // A part of area(), after all of the black ones. `bound`: on the error of a pixel.
+  void fill_white(const PixelArea& block, double bound, PixelSource& source);
+
   Corners of_pixel(int x, int y) const;
+  // The mean square error of the mean of the pixel's corners, or more than `allowed`.
+  double error_of_pixel(int x, int y, double allowed) const;
 
  private:
   std::size_t index(int x, int y) const;
+  void trace(int x, int y, PixelSource& source);
+  double difference(int x, int y, const dvec4& from) const;  // mean square
+  double contrast_farther(int x, int y, const dvec4& mean) const;
+  double contrast_across(int x, int y) const;
+  bool interpolate(int x, int y, double bound);  // false: the corners around differ
 
-  PixelArea area_;
+  PixelArea area_, area_of_black_;
   const DisplayMetric& metric_;
   std::vector<Sample> samples_;
 };

@@ -102,10 +102,14 @@ RenderResult render_error_driven(const RenderSettings& settings, const DisplayMe
                                  const MakePixelSource& make_source, Film& film, const RenderProgress& progress) {
   ErrorMap errors(settings.area);
   CornerSamples corners(settings.area, metric);
-  Passes passes(settings, make_source, progress, 2);
-  passes.run(corners.area(), [&](const PixelArea& block, PixelSource& source) { corners.take(block, source); });
+  const double bound = settings.antialiasing.error_bound;
+  Passes passes(settings, make_source, progress, 3);
+  passes.run(corners.area_of_black(),
+             [&](const PixelArea& block, PixelSource& source) { corners.trace_black(block, source); });
+  passes.run(corners.area(),
+             [&](const PixelArea& block, PixelSource& source) { corners.fill_white(block, bound, source); });
   passes.run(settings.area, [&](const PixelArea& block, PixelSource& source) {
-    render_error_driven_block(block, settings.antialiasing.error_bound, corners, metric, source, film, errors);
+    render_error_driven_block(block, bound, corners, metric, source, film, errors);
   });
   passes.result().estimated_error = errors.rmse();
   return passes.result();

@@ -63,17 +63,19 @@ Picture strip_of(const std::vector<fs::path>& frames) {
   return strip;
 }
 
-WorstFrame worst_frame(const Picture& a, const Picture& b, int frame_height, const std::optional<ReferenceNoise>& noise) {
+WorstFrame worst_frame(const Picture& a, const Picture& b, int frame_height, const FrameNoise& noise) {
   if (a.width != b.width) throw std::runtime_error("frames of different widths");
   WorstFrame worst;
   worst.count = std::max(a.height, b.height) / frame_height;
   for (int i = 0; i < worst.count; ++i) {
     Picture frame_a = frame_of(a, i, frame_height), frame_b = frame_of(b, i, frame_height);
     const Difference d = difference(frame_a, frame_b, kPixelTolerance255);
-    const bool good = matches(d, noise), worst_is_good = matches(worst.difference, noise);
+    const std::optional<ReferenceNoise> own = noise(i);
+    const bool good = matches(d, own), worst_is_good = matches(worst.difference, worst.noise);
     if (i > 0 && (good != worst_is_good ? good : d.rmse <= worst.difference.rmse)) continue;
     worst.index = i;
     worst.difference = d;
+    worst.noise = own;
     worst.a = std::move(frame_a);
     worst.b = std::move(frame_b);
   }

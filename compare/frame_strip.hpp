@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -29,10 +30,14 @@ Picture strip_of(const std::vector<std::filesystem::path>& frames);
 struct WorstFrame {
   int index = 0, count = 0;  // from 0; of the longer strip
   Difference difference;
+  std::optional<ReferenceNoise> noise;
   Picture a, b;
 };
 
+// How far the reference is from itself in a frame, counted from 0; none: not at all.
+using FrameNoise = std::function<std::optional<ReferenceNoise>(int frame)>;
+
 // A frame that only one strip has differs in every pixel. Throws std::runtime_error when the widths differ.
-WorstFrame worst_frame(const Picture& a, const Picture& b, int frame_height, const std::optional<ReferenceNoise>& noise);
+WorstFrame worst_frame(const Picture& a, const Picture& b, int frame_height, const FrameNoise& noise);
 
 }  // namespace lute::compare

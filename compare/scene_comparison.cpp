@@ -69,16 +69,21 @@ std::string reason_of(const SceneComparison& comparison) {
   }
 }
 
-// That of the scene itself; of a set of frames that of its scene.
-std::optional<ReferenceNoise> noise_of(const fs::path& scene, const ReferenceNoiseTable& noise) {
-  const fs::path path = fs::absolute(scene).lexically_normal();
-  return noise.find(is_frame_set(path) ? scene_of_set(path).value_or(path) : path);
+// The row of a frame is that of the set with its number, from 1, behind it; without one that of the set's scene counts.
+FrameNoise frame_noise(const fs::path& set, const ReferenceNoiseTable& noise) {
+  const fs::path path = fs::absolute(set).lexically_normal();
+  const std::optional<ReferenceNoise> of_scene = noise.find(scene_of_set(path).value_or(path));
+  return [path, of_scene, &noise](int frame) {
+    const std::optional<ReferenceNoise> own = noise.find(path / std::to_string(frame + 1));
+    return own ? own : of_scene;
+  };
 }
 
 // The worst frame stands for all, also in the report's pictures.
 void compare_frames(SceneComparison& comparison, const Picture& rendered, const Picture& expected, int height,
-                    const std::string& base) {
-  const WorstFrame worst = worst_frame(rendered, expected, height, comparison.noise);
+                    const ReferenceNoiseTable& noise, const std::string& base) {
+  const WorstFrame worst = worst_frame(rendered, expected, height, frame_noise(comparison.scene.path, noise));
+  comparison.noise = worst.noise;
   comparison.difference = worst.difference;
   comparison.frames = worst.count;
   comparison.worst_frame = worst.index;
@@ -118,7 +123,7 @@ SceneComparison compare_scene(const SceneFile& scene, const ReferenceCache& cach
                               const ComparisonSettings& settings) {
   SceneComparison comparison;
   comparison.scene = scene;
-  comparison.noise = noise_of(scene.path, noise);
+  comparison.noise = noise.find(fs::absolute(scene.path).lexically_normal());
   comparison.reference = cache.get(scene.path, settings.reference, settings.measure_again);
   if (comparison.reference.outcome == RenderOutcome::kTimedOut) {
     comparison.state = SceneState::kReferenceTimeout;
@@ -133,7 +138,7 @@ SceneComparison compare_scene(const SceneFile& scene, const ReferenceCache& cach
     const Picture expected = read_picture(comparison.reference.picture);
     const Picture rendered = read_picture(comparison.lute.picture);
     if (is_frame_set(scene.path)) {
-      compare_frames(comparison, rendered, expected, settings.lute.for_frames().height, base.string());
+      compare_frames(comparison, rendered, expected, settings.lute.for_frames().height, noise, base.string());
     } else {
       comparison.difference = difference(rendered, expected, kPixelTolerance255);
       comparison.heat_map = base.string() + ".heat.png";

@@ -21,8 +21,10 @@ Picture grey_frames(const std::vector<float>& values) {
   return strip;
 }
 
+const FrameNoise kNone = [](int) { return std::optional<ReferenceNoise>(); };
+
 TEST(WorstFrame, IsTheOneFarthestApart) {
-  const WorstFrame worst = worst_frame(grey_frames({.5f, .2f, .1f}), grey_frames({.5f, .4f, .2f}), 2, {});
+  const WorstFrame worst = worst_frame(grey_frames({.5f, .2f, .1f}), grey_frames({.5f, .4f, .2f}), 2, kNone);
   EXPECT_EQ(worst.count, 3);
   EXPECT_EQ(worst.index, 1);
   EXPECT_NEAR(worst.difference.maximum, .2, 1e-6);
@@ -30,10 +32,23 @@ TEST(WorstFrame, IsTheOneFarthestApart) {
 }
 
 TEST(WorstFrame, CountsAMissingFrameAsWhollyDifferent) {
-  const WorstFrame worst = worst_frame(grey_frames({.5f, .5f}), grey_frames({.5f, .4f, .5f}), 2, {});
+  const WorstFrame worst = worst_frame(grey_frames({.5f, .5f}), grey_frames({.5f, .4f, .5f}), 2, kNone);
   EXPECT_EQ(worst.count, 3);
   EXPECT_EQ(worst.index, 2);
   EXPECT_EQ(worst.difference.within, 0);
+}
+
+TEST(WorstFrame, AllowsEachFrameItsOwnNoise) {
+  const FrameNoise second = [](int frame) {
+    return frame == 1 ? std::optional<ReferenceNoise>({.within = 0, .rmse = 0.3, .block98_255 = 60}) : std::nullopt;
+  };
+  const WorstFrame noisy = worst_frame(grey_frames({.5f, .2f}), grey_frames({.5f, .4f}), 2, second);
+  EXPECT_EQ(noisy.index, 1);
+  EXPECT_TRUE(matches(noisy.difference, noisy.noise));
+  // The same noise in a frame that has none.
+  const WorstFrame plain = worst_frame(grey_frames({.3f, .2f}), grey_frames({.5f, .4f}), 2, second);
+  EXPECT_EQ(plain.index, 0);
+  EXPECT_FALSE(matches(plain.difference, plain.noise));
 }
 
 TEST(FrameSet, IsAnIniFileThatNamesAScene) {

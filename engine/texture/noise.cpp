@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <vector>
 
 #include "engine/math/rounding.hpp"
+#include "engine/texture/lattice_noise.hpp"
 #include "engine/texture/noise_tables.hpp"
 #include "engine/texture/warp.hpp"
 
@@ -70,67 +70,7 @@ constexpr std::array<std::uint16_t, 8192> make_hash_table() {
 }
 constexpr auto kHash = make_hash_table();
 
-// Truncation and fraction as the reference makes them; beyond 32 bits the lattice is meaningless, but must not be undefined.
-struct Lattice {
-  std::uint32_t cell;
-  double fraction;
-  explicit Lattice(double c) {
-    const double shifted = c >= 0 ? c : c - (1 - kEpsilon);
-    std::int64_t i = 0;
-    if (std::fabs(shifted) < kAllIntegers) {
-      i = static_cast<std::int64_t>(shifted);
-      fraction = c - static_cast<double>(i);
-    } else {
-      i = static_cast<std::int64_t>(std::clamp(shifted, -9e15, 9e15));
-      fraction = c - shifted;
-    }
-    cell = static_cast<std::uint32_t>(i + 10000) & 4095u;
-  }
-};
-
 double smooth(double f) { return f * f * (3.0 - 2.0 * f); }
-
-// Two doubles that are worked on at once; every processor of the architecture has them.
-using Pair = double __attribute__((vector_size(16)));
-
-// Calls corner(gradient index, weight, {1/2, fx}, {fy, fz}) for the eight corners of the cell: a corner's term is the sum of the
-// gradient's four numbers times 1/2, fx, fy, fz.
-template <class Corner>
-void for_corners(const dvec3& p, Corner&& corner) {
-  const Lattice x(p.x), y(p.y), z(p.z);
-  const double sx = smooth(x.fraction), sy = smooth(y.fraction), sz = smooth(z.fraction);
-  const double tx = 1 - sx, ty = 1 - sy, tz = 1 - sz;
-  const std::uint32_t hx0 = kHash[x.cell], hx1 = kHash[x.cell + 1];
-  const std::uint32_t y1 = y.cell + 1, z1 = z.cell + 1;
-  const std::uint32_t h00 = kHash[hx0 ^ y.cell], h10 = kHash[hx1 ^ y.cell];
-  const std::uint32_t h01 = kHash[hx0 ^ y1], h11 = kHash[hx1 ^ y1];
-  const auto index = [](std::uint32_t h, std::uint32_t c) { return kHash[h ^ c] & 255u; };
-  const double fy = y.fraction, fz = z.fraction;
-  const Pair near_x{0.5, x.fraction}, far_x{0.5, x.fraction - 1};
-  const Pair near{fy, fz}, up{fy - 1, fz}, back{fy, fz - 1}, up_back{fy - 1, fz - 1};
-  corner(index(h00, z.cell), tx * ty * tz, near_x, near);
-  corner(index(h10, z.cell), sx * ty * tz, far_x, near);
-  corner(index(h01, z.cell), tx * sy * tz, near_x, up);
-  corner(index(h11, z.cell), sx * sy * tz, far_x, up);
-  corner(index(h00, z1), tx * ty * sz, near_x, back);
-  corner(index(h10, z1), sx * ty * sz, far_x, back);
-  corner(index(h01, z1), tx * sy * sz, near_x, up_back);
-  corner(index(h11, z1), sx * sy * sz, far_x, up_back);
-}
-
-// Both halves of a corner's term, to be added at the end.
-Pair gradient_term(std::uint32_t k, const Pair& half_x, const Pair& yz) {
-  Pair first, second;
-  std::memcpy(&first, &kGradients[k], sizeof first);
-  std::memcpy(&second, &kGradients[k + 2], sizeof second);
-  return first * half_x + second * yz;
-}
-
-double lattice_sum(const dvec3& p) {
-  Pair sum{0, 0};
-  for_corners(p, [&](std::uint32_t k, double w, const Pair& half_x, const Pair& yz) { sum += w * gradient_term(k, half_x, yz); });
-  return sum[0] + sum[1];
-}
 
 // Perlin's noise with its own tables (chapter 50 §2.4).
 struct PerlinTables {
@@ -189,7 +129,7 @@ constexpr std::size_t kRandomNumbers = 32768;
 
 const std::uint16_t* hash_numbers() { return kHash.data(); }
 
-const double* noise_gradients() { return kGradients.data(); }
+NoiseTables noise_tables() { return {kHash.data(), kGradients.data()}; }
 
 std::uint32_t hash_table(std::uint32_t index) { return kHash[index & 4095u]; }
 
@@ -212,47 +152,18 @@ const double* random_numbers() {
 double random_table(std::uint32_t index) { return random_numbers()[index & (kRandomNumbers - 1)]; }
 
 double noise(const dvec3& p, int generator) {
-  switch (generator) {
-    case 1: return std::clamp(lattice_sum(p) + 0.5, 0.0, 1.0);
-    case 3: return std::clamp(0.5 * (1.59 * perlin(p) + 0.985), 0.0, 1.0);
-    default: return std::clamp((lattice_sum(p) + 1.05242) * 0.48985582, 0.0, 1.0);
-  }
-}
-
-dvec3 vector_noise(const dvec3& p) {
-  Pair x{0, 0}, y{0, 0}, z{0, 0};
-  for_corners(p, [&](std::uint32_t k, double w, const Pair& half_x, const Pair& yz) {
-    x += w * gradient_term(k, half_x, yz);
-    y += w * gradient_term(k + 4, half_x, yz);
-    z += w * gradient_term(k + 8, half_x, yz);
-  });
-  return {x[0] + x[1], y[0] + y[1], z[0] + z[1]};
+  if (generator == 3) return std::clamp(0.5 * (1.59 * perlin(p) + 0.985), 0.0, 1.0);
+  return scaled_noise(lattice_sum(p), generator);
 }
 
 double turbulence(const dvec3& p, const Turbulence& t, int generator) {
-  double value = noise(p, generator);
-  if (generator > 1) value = std::clamp(2 * value - 0.5, 0.0, 1.0);
+  if (generator != 3) return lattice_turbulence(p, t, generator);
+  double value = std::clamp(2 * noise(p, generator) - 0.5, 0.0, 1.0);
   double l = t.lambda, o = t.omega;
   for (int i = 2; i <= t.octaves; ++i) {
-    const double n = noise(p * l, generator);
-    value += generator > 1 ? o * (2 * n - 0.5) : o * n;
-    if (i < t.octaves) {
-      l *= t.lambda;
-      o *= t.omega;
-    }
-  }
-  return value;
-}
-
-dvec3 vector_turbulence(const dvec3& p, const Turbulence& t) {
-  dvec3 value = vector_noise(p);
-  double l = t.lambda, o = t.omega;
-  for (int i = 2; i <= t.octaves; ++i) {
-    value += o * vector_noise(p * l);
-    if (i < t.octaves) {
-      l *= t.lambda;
-      o *= t.omega;
-    }
+    value += o * (2 * noise(p * l, generator) - 0.5);
+    l *= t.lambda;
+    o *= t.omega;
   }
   return value;
 }

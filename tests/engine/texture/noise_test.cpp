@@ -1,6 +1,12 @@
 #include "engine/texture/noise.hpp"
 
 #include <gtest/gtest.h>
+#include <hwy/highway.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
 
 #include "engine/texture/warp.hpp"
 
@@ -27,6 +33,44 @@ TEST(Noise, VectorTurbulenceEqualsTheReference) {
   EXPECT_NEAR(v.x, 0.344564, 5e-7);
   EXPECT_NEAR(v.y, -0.261187, 5e-7);
   EXPECT_NEAR(v.z, -0.078804, 5e-7);
+}
+
+// Chapter 50 §3: the noise of generator 2 doubled less a half, clamped for the first octave alone.
+TEST(Noise, TurbulenceIsTheSumOfItsOctaves) {
+  const Turbulence t{.octaves = 4, .omega = 0.7f, .lambda = 2.5f};
+  double sum = std::clamp(2 * noise(kP2, 2) - 0.5, 0.0, 1.0), l = t.lambda, o = t.omega;
+  dvec3 vector_sum = vector_noise(kP2);
+  for (int i = 0; i < 3; ++i, l *= t.lambda, o *= t.omega) {
+    sum += o * (2 * noise(kP2 * l, 2) - 0.5);
+    vector_sum += o * vector_noise(kP2 * l);
+  }
+  EXPECT_NEAR(turbulence(kP2, t, 2), sum, 1e-14);
+  EXPECT_LT(glm::length(vector_turbulence(kP2, t) - vector_sum), 1e-14);
+}
+
+// A picture must not depend on the processor.
+TEST(Noise, IsTheSameToTheLastBitOnEveryInstructionSet) {
+  const auto evaluate_all = [] {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> coordinate(-50, 50);
+    std::vector<double> values;
+    for (int i = 0; i < 2000; ++i) {
+      const dvec3 p(coordinate(random), coordinate(random), coordinate(random));
+      const dvec3 v = vector_noise(p), t = vector_turbulence(p, Turbulence{});
+      values.insert(values.end(), {noise(p, 1), noise(p, 2), v.x, v.y, v.z, turbulence(p, Turbulence{}, 1),
+                                   turbulence(p, Turbulence{}, 2), t.x, t.y, t.z});
+    }
+    return values;
+  };
+  const auto expected = evaluate_all();
+  const std::int64_t supported = hwy::SupportedTargets();
+  for (std::int64_t rest = supported; rest != 0; rest &= rest - 1) {
+    const std::int64_t one = rest & -rest;
+    if ((one & HWY_TARGETS) == 0) continue;
+    hwy::SetSupportedTargetsForTest(one);
+    EXPECT_EQ(evaluate_all(), expected) << hwy::TargetName(one);
+  }
+  hwy::SetSupportedTargetsForTest(0);
 }
 
 // Chapter 30 §5.1: first and last entries.

@@ -163,6 +163,14 @@ void add_solids(std::vector<ExtremeCase>& all) {
                    0.01,
                    "1 %: pixels at the foot of the box, where a gap shows from the side"});
   }
+  for (const char* size : {"1", "1e4"}) {
+    all.push_back({std::string("icosahedron_of_size_") + size,
+                   "icosahedron.pov",
+                   {std::string("Size=") + size},
+                   icosahedron(),
+                   0,
+                   "exact, but for rays through edges to 1e-9"});
+  }
   all.push_back({"two_hundred_shells", "shells.pov", {}, shells(), 0, "exact, but for rims to 1e-9"});
 }
 

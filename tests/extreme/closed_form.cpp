@@ -154,6 +154,35 @@ ClosedForm first_sheet() {
   };
 }
 
+// Its faces look to the corners of a dodecahedron, which are √3 away.
+ClosedForm icosahedron() {
+  return [](Real a, Real b) {
+    const Real golden = (1 + square_root(5)) / 2, short_side = golden - 1, distance = square_root(3);
+    const Vector from{4 * a, 3 * b, -5};
+    Real enter = -100, leave = 100;
+    bool missed = false;
+    const auto cut = [&](Vector normal) {
+      const Real beyond = dot(normal, from) - distance;
+      if (normal.z == 0) {
+        missed = missed || beyond > 0;
+      } else if (normal.z < 0) {
+        enter = std::max(enter, beyond / -normal.z);
+      } else {
+        leave = std::min(leave, -beyond / normal.z);
+      }
+    };
+    for (const int i : {-1, 1}) {
+      for (const int j : {-1, 1}) {
+        for (const int k : {-1, 1}) cut({Real(i), Real(j), Real(k)});
+        cut({0, i * short_side, j * golden});
+        cut({i * short_side, j * golden, 0});
+        cut({j * golden, 0, i * short_side});
+      }
+    }
+    return object_by_sign(missed ? Real{-1} : leave - enter, 1e-9);
+  };
+}
+
 ClosedForm turned_box() {
   return [](Real a, Real b) {
     // The ray taken back into the box's space.

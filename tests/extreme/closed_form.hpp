@@ -14,6 +14,7 @@ ClosedForm everywhere();  // the object fills the picture
 ClosedForm nowhere();     // only the background
 ClosedForm box_edge();
 ClosedForm first_sheet();
+ClosedForm icosahedron();
 ClosedForm turned_box();
 ClosedForm clear_box_on_floor();
 ClosedForm shells();

@@ -61,7 +61,7 @@ void SceneBuilder::add_top_level(const Object& object, const Context& parent) {
 }
 
 long SceneBuilder::count_solids(const Object& object) const {
-  if (is_light(object)) return std::get<LightSource>(object.geometry).looks_like != nullptr ? 1 : 0;
+  if (is_light(object)) return 1;  // with what it looks like
   const auto* csg = std::get_if<Csg>(&object.geometry);
   Context own;
   own.inverted = object.inverse;

@@ -129,6 +129,19 @@ TEST(Bounds, BoxOfADiscardedBoundCutsOnceTheHierarchyIsInUse) {  // chapter 20 ย
   EXPECT_EQ(seen(3), 0);
 }
 
+// As POV-Ray 3.7.0 counts: one sphere and two light sources, with +MB3.
+TEST(Bounds, LightSourcesCountAsObjectsOfTheHierarchy) {
+  const auto seen = [](int lights) {
+    auto b = object(sphere({0, 0, 0}, 1.5), glowing(1, 0, 0));
+    b->bounded_by = {object(box({-.5, -.5, -2}, {.5, .5, 2}))};
+    std::vector<ObjectPtr> all{b};
+    for (int i = 0; i < lights; ++i) all.push_back(light({0, 0, -10}, Rgb(1.0f)));
+    return look(scene(all), {{1, 0, -5}, {0, 0, 1}}).rgb.r;
+  };
+  EXPECT_EQ(seen(1), 1);
+  EXPECT_EQ(seen(2), 0);
+}
+
 TEST(LooksLike, StandsAtItsPlaceAndCastsNoShadow) {  // chapter 40 ยง10.5
   auto lamp = light({0, 0, -10}, Rgb(1.0f), [](LightSource& l) { l.looks_like = object(sphere({0, 0, -10}, 1), glowing(0, 1, 0)); });
   Scene s = scene({lamp, wall(texture(rgbft(1, 1, 1), finish(0, 1)))});

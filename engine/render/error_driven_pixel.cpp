@@ -23,6 +23,17 @@ struct Cell {
   double area() const { return 1.0 / static_cast<double>(1 << (2 * level)); }
 };
 
+// Which cell covers each of the smallest ones.
+using CellMap = std::array<std::uint16_t, kSide * kSide>;
+
+constexpr CellMap kFourCells = [] {
+  CellMap map{};
+  for (int i = 0; i < kSide * kSide; ++i) {
+    map[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(2 * (i / kSide * 2 / kSide) + i % kSide * 2 / kSide);
+  }
+  return map;
+}();
+
 // Of the mean of four corners: in the order of CornerSamples::Corners.
 double error_of_corners(const DisplayMetric& metric, const CornerSamples::Corners& at) {
   const auto side = [&](std::size_t a, std::size_t b) {
@@ -45,7 +56,7 @@ class DividedPixel {
                             static_cast<std::uint32_t>(y));
     cells_.clear();
     for (int i = 0; i < 4; ++i) cells_.push_back(sampled(points, 1, i & 1, i >> 1));
-    for (std::size_t i = 0; i < 4; ++i) paint(i);
+    owner_ = kFourCells;
     estimate();
     if (error_ <= allowed_) return mean_with(corners);
     while (error_ > allowed_ && divide_worst(points)) estimate();
@@ -165,7 +176,7 @@ class DividedPixel {
   double left_ = 0, top_ = 0;
   std::array<dvec4, 4> corners_{};
   std::vector<Cell> cells_;
-  std::array<std::uint16_t, kSide * kSide> owner_{};  // the cell that covers each smallest one
+  CellMap owner_{};
   std::vector<std::size_t> order_;
   double error_ = 0;
 };

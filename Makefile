@@ -31,11 +31,14 @@ accuracy: setup-test build
 	@cmake --build build --target lute-accuracy
 	@build/bin/lute-accuracy docs/accuracy.md
 
-# Error against run time of both programs on ten scenes: report/sweep.html.
+# Error against run time of both programs on ten scenes: report/sweep.html, the table of docs/antialiasing.md and the chart
+# of the README.
 REPORT_SCENES = scenes/showcase/lute.pov $(addprefix scenes/lecture/,refraction.pov mirror.pov torus.pov brick.pov \
   spotlight.pov filter_transmit.pov csg_difference.pov checker.pov sky_sphere.pov)
 report: setup-test build
-	@build/bin/lute-compare sweep $(REPORT_SCENES) --size 240x180 --output report
+	@build/bin/lute-compare sweep $(REPORT_SCENES) --size 240x180 --output report --into docs/antialiasing.md
+	@chromium-headless-shell --no-sandbox --disable-gpu --hide-scrollbars --window-size=900,420 \
+	  --screenshot=docs/images/error-over-time.png "file://$(CURDIR)/report/lute.pov.svg"
 
 # Both programs on our scenes, side by side: report/report.html.
 compare: setup-test build

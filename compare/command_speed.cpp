@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "compare/command.hpp"
+#include "compare/page_section.hpp"
 #include "compare/run_options.hpp"
 #include "compare/speed_table.hpp"
 
@@ -43,12 +44,7 @@ int run_speed(SpeedOptions& options) {
     std::cout << text;
     return kExitMatch;
   }
-  std::ifstream in(options.into);
-  if (!in) throw std::runtime_error("cannot read " + options.into);
-  std::ostringstream page;
-  page << in.rdbuf();
-  const std::string changed = with_speed_section(page.str(), text);
-  std::ofstream(options.into) << changed;
+  replace_section(options.into, "speed", text);
   return kExitMatch;
 }
 

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kKeptMessages = 6000;
+constexpr std::size_t kKeptMessages = 12000;
 
 std::string end_of_file(const fs::path& path) {
   std::error_code missing;

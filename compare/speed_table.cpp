@@ -98,15 +98,4 @@ void write_markdown(std::ostream& out, const SpeedTable& table, const std::strin
   }
 }
 
-std::string with_speed_section(const std::string& page, const std::string& section) {
-  const std::string begin = kSpeedBegin, end = kSpeedEnd;
-  const std::size_t from = page.find(begin);
-  const std::size_t to = page.find(end, from == std::string::npos ? 0 : from);
-  if (from == std::string::npos || to == std::string::npos) {
-    throw std::runtime_error("the page has no lines '" + begin.substr(0, begin.size() - 1) + "' and '" +
-                             end.substr(0, end.size() - 1) + "'");
-  }
-  return page.substr(0, from) + begin + section + page.substr(to);
-}
-
 }  // namespace lute::compare

@@ -34,10 +34,4 @@ SpeedTable read_speed_table(std::istream& report);
 // `circumstances`: machine, switches, versions; one line.
 void write_markdown(std::ostream& out, const SpeedTable& table, const std::string& circumstances);
 
-// `page` with what stands between its lines kSpeedBegin and kSpeedEnd replaced by `section`. Throws std::runtime_error if it has
-// no such lines.
-inline constexpr const char* kSpeedBegin = "<!-- lute-compare speed: begin -->\n";
-inline constexpr const char* kSpeedEnd = "<!-- lute-compare speed: end -->\n";
-std::string with_speed_section(const std::string& page, const std::string& section);
-
 }  // namespace lute::compare

@@ -198,4 +198,18 @@ nlohmann::json to_json(const std::vector<Sweep>& sweeps, const std::string& mach
   return {{"machine", machine}, {"scenes", scenes}};
 }
 
+std::vector<Sweep> from_json(const nlohmann::json& report) {
+  std::vector<Sweep> sweeps;
+  for (const nlohmann::json& scene : report.at("scenes")) {
+    Sweep sweep;
+    sweep.scene.name = scene.at("scene");
+    for (const nlohmann::json& p : scene.at("points")) {
+      sweep.points.push_back({p.at("program"), p.at("switches"), p.at("method"), p.at("rendered"), p.at("cpu"), p.at("wall"),
+                              p.at("rmse"), p.at("within"), p.at("pareto"), {}, {}});
+    }
+    sweeps.push_back(std::move(sweep));
+  }
+  return sweeps;
+}
+
 }  // namespace lute::compare

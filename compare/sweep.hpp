@@ -56,6 +56,8 @@ std::string method_of(const std::string& switches);
 
 void write_csv(std::ostream& out, const std::vector<Sweep>& sweeps);
 nlohmann::json to_json(const std::vector<Sweep>& sweeps, const std::string& machine);
+// The figures of what to_json wrote; no pictures. Throws nlohmann::json::exception where it is something else.
+std::vector<Sweep> from_json(const nlohmann::json& report);
 void write_html(std::ostream& out, const std::vector<Sweep>& sweeps, const std::string& machine);
 
 }  // namespace lute::compare

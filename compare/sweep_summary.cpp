@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace lute::compare {
 
@@ -69,6 +70,27 @@ std::string summary(const std::vector<Sweep>& sweeps) {
   if (compared == 0) return "";
   return "+AM3 needs at most half of the processor time of POV-Ray's +AM2 at equal error on " + std::to_string(half) +
          " of " + std::to_string(compared) + " scenes.";
+}
+
+void write_markdown(std::ostream& out, const std::vector<Sweep>& sweeps, const std::string& machine) {
+  out << machine << "\n\n"
+      << summary(sweeps) << "\n\n"
+      << "| scene | POV-Ray's switches | error (RMSE) | POV-Ray, s | `+AM3` at that error, s | share | median of the scene |\n"
+      << "|---|---|---:|---:|---:|---:|---:|\n";
+  for (const Sweep& sweep : sweeps) {
+    char text[160];
+    std::string median = "–";
+    if (const std::optional<double> share = time_share(sweep)) {
+      std::snprintf(text, sizeof text, "**%.2f**", *share);
+      median = text;
+    }
+    const std::vector<EqualError> pairs = at_equal_error(sweep);
+    if (pairs.empty()) out << "| " << sweep.scene.name << " | none whose error `+AM3` reached | | | | | |\n";
+    for (const EqualError& pair : pairs) {
+      std::snprintf(text, sizeof text, " | %.4f | %.3f | %.3f | %.2f | ", pair.rmse, pair.reference_cpu, pair.own_cpu, pair.share());
+      out << "| " << sweep.scene.name << " | `" << pair.setting << '`' << text << (&pair == &pairs.front() ? median : "") << " |\n";
+    }
+  }
 }
 
 }  // namespace lute::compare

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -28,5 +29,8 @@ std::optional<double> time_share(const Sweep& sweep);
 
 // "+AM3 needs at most half of the processor time of POV-Ray's +AM2 at equal error on 8 of 10 scenes."
 std::string summary(const std::vector<Sweep>& sweeps);
+
+// The summary and a table of all that is compared at equal error, for a page in docs/.
+void write_markdown(std::ostream& out, const std::vector<Sweep>& sweeps, const std::string& machine);
 
 }  // namespace lute::compare

@@ -78,5 +78,29 @@ TEST(Sweep, PageHasAChartWithEveryPoint) {
   EXPECT_EQ(circles, 2u);
 }
 
+TEST(Sweep, ReadsItsOwnReport) {
+  Sweep sweep;
+  sweep.scene.name = "a.pov";
+  sweep.points = {point(1, 0.1), point(0, 0, false)};
+  const std::vector<Sweep> read = from_json(to_json({sweep}, "A machine."));
+  ASSERT_EQ(read.size(), 1u);
+  EXPECT_EQ(to_json(read, "A machine."), to_json({sweep}, "A machine."));
+}
+
+// +AM3 takes 1 s for an error of 0.1, POV-Ray 4 s.
+TEST(Sweep, TablesTimesAtEqualError) {
+  Sweep sweep;
+  sweep.scene.name = "a.pov";
+  sweep.points = {point(1, 0.1), point(4, 0.1)};
+  sweep.points[0].method = "method 3";
+  sweep.points[1].program = "POV-Ray";
+  sweep.points[1].method = "method 2";
+  sweep.points[1].setting = "+AM2";
+  std::ostringstream page;
+  write_markdown(page, {sweep}, "A machine.");
+  EXPECT_NE(page.str().find("on 1 of 1 scenes"), std::string::npos);
+  EXPECT_NE(page.str().find("| a.pov | `+AM2` | 0.1000 | 4.000 | 1.000 | 0.25 | **0.25** |"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace lute::compare

@@ -4,20 +4,25 @@
 
 namespace lute {
 
-void perpendiculars(const dvec3& n, dvec3& u, dvec3& v) {
-  // Duff et al., Building an Orthonormal Basis, Revisited (2017).
-  const double sign = std::copysign(1.0, n.z);
-  const double a = -1.0 / (sign + n.z);
-  const double b = n.x * n.y * a;
-  u = {1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x};
-  v = {b, sign + n.y * n.y * a, -n.y};
+dmat3 turn_z_to(const dvec3& n) {
+  const double radial = std::hypot(n.x, n.y);
+  const dvec3 k = radial > 0 ? dvec3(-n.y / radial, n.x / radial, 0) : dvec3(1, 0, 0);
+  const double angle = std::atan2(radial, n.z);
+  const double c = std::cos(angle), s = std::sin(angle);
+  dmat3 turn;
+  for (int column = 0; column < 3; ++column) {
+    dvec3 axis(0);
+    axis[column] = 1;
+    turn[column] = k[column] * (1 - c) * k + c * axis + s * glm::cross(k, axis);
+  }
+  return turn;
 }
 
 Transform axis_frame(const dvec3& base, const dvec3& axis, double radius) {
   const double length = glm::length(axis);
   const dvec3 unit = axis / length;
-  dvec3 u, v;
-  perpendiculars(unit, u, v);
+  const dmat3 turn = turn_z_to(unit);
+  const dvec3 u = turn[0], v = turn[1];
   Transform frame;
   frame.linear = dmat3(radius * u, radius * v, axis);
   frame.translation = base;

@@ -10,8 +10,9 @@ namespace lute {
 // not be zero.
 Transform axis_frame(const dvec3& base, const dvec3& axis, double radius);
 
-// Two unit vectors that form a right angle with the unit vector `n` and each other.
-void perpendiculars(const dvec3& n, dvec3& u, dvec3& v);
+// The rotation that carries z to the unit vector `n`, about the axis and with the rounding of POV-Ray's: an axis in the x-y plane gets
+// a z of 6e-17. Scenes print the normals that `trace` gives, and there it is the difference between 0.00 and -0.00.
+dmat3 turn_z_to(const dvec3& n);
 
 // Box around a disc: the image under `frame` of the circle of `radius` about the z axis at height z.
 Aabb circle_box(const Transform& frame, double z, double radius);

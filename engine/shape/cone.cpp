@@ -19,8 +19,8 @@ std::unique_ptr<Shape> build(const Cone& cone, const Transform& to_world, BuildC
     std::swap(wide_radius, narrow_radius);
   }
   if (wide_radius == 0 || wide == narrow) return build_empty_shape(false);
-  const Transform frame = axis_frame(wide, narrow - wide, wide_radius);
-  return build_truncated_cone(to_world.identity() ? frame : frame.then(to_world), narrow_radius / wide_radius - 1, cone.open);
+  const Transform frame = axis_frame(wide, narrow - wide, wide_radius).then(to_world);
+  return build_truncated_cone(frame, frame.normal({0, 0, 1}), narrow_radius / wide_radius - 1, cone.open);
 }
 
 }  // namespace lute

@@ -13,8 +13,8 @@ enum Part : std::uint32_t { kSide, kCap, kBase };
 
 class TruncatedCone final : public ScannedShape<TruncatedCone> {
  public:
-  TruncatedCone(const Transform& frame, double taper, bool open)
-      : frame_(frame), taper_(taper), cap_radius2_((1 + taper) * (1 + taper)), open_(open) {}
+  TruncatedCone(const Transform& frame, const dvec3& axis_normal, double taper, bool open)
+      : frame_(frame), axis_normal_(axis_normal), taper_(taper), cap_radius2_((1 + taper) * (1 + taper)), open_(open) {}
 
   template <class Sink>
   void scan(const Ray& ray, Interval, Sink&& sink) const {
@@ -42,12 +42,19 @@ class TruncatedCone final : public ScannedShape<TruncatedCone> {
     return p.x * p.x + p.y * p.y <= w * w + tolerance && -tolerance <= p.z && p.z <= 1 + tolerance;
   }
   dvec3 normal(const ShapeHit& hit, const dvec3& point) const override {
-    if (hit.part != kSide) return glm::normalize(frame_.normal({0, 0, hit.part == kCap ? 1 : -1}));
+    if (hit.part != kSide) return world_normal({0, 0, hit.part == kCap ? 1 : -1});
     const dvec3 p = frame_.inverse_point(point);
-    return glm::normalize(frame_.normal({p.x, p.y, -taper_ * (1 + taper_ * p.z)}));
+    return world_normal({p.x, p.y, 0 - taper_ * (1 + taper_ * p.z)});  // of a cylinder +0
   }
 
  private:
+  dvec3 world_normal(const dvec3& n) const {
+    const dmat3& inverse = frame_.inverse_linear;
+    dvec3 sum;
+    for (int i = 0; i < 3; ++i) sum[i] = n.x * inverse[i][0] + n.y * inverse[i][1] + n.z * axis_normal_[i];
+    return glm::normalize(sum);
+  }
+
   static double distance2(const dvec3& p, const dvec3& d, double t) {
     const double x = p.x + t * d.x;
     const double y = p.y + t * d.y;
@@ -86,14 +93,15 @@ class TruncatedCone final : public ScannedShape<TruncatedCone> {
   }
 
   Transform frame_;
+  dvec3 axis_normal_;
   double taper_, cap_radius2_;
   bool open_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build_truncated_cone(const Transform& frame, double taper, bool open) {
-  return std::make_unique<TruncatedCone>(frame, taper, open);
+std::unique_ptr<Shape> build_truncated_cone(const Transform& frame, const dvec3& axis_normal, double taper, bool open) {
+  return std::make_unique<TruncatedCone>(frame, axis_normal, taper, open);
 }
 
 }  // namespace lute

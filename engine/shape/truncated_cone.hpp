@@ -11,7 +11,8 @@
 namespace lute {
 
 // `frame` carries the canonical shape into the world. taper = (radius at z = 1) / (radius at z = 0) - 1, at least -2: below -1
-// both radii have opposite signs and the two halves meet in a point.
-std::unique_ptr<Shape> build_truncated_cone(const Transform& frame, double taper, bool open);
+// both radii have opposite signs and the two halves meet in a point. `axis_normal`: the normal of the disc at z = 1 as it is shown, of
+// the length of frame.normal({0, 0, 1}).
+std::unique_ptr<Shape> build_truncated_cone(const Transform& frame, const dvec3& axis_normal, double taper, bool open);
 
 }  // namespace lute

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/build/language_extent.hpp"
 #include "engine/build/scene_builder.hpp"
 
 namespace lute {
@@ -57,17 +58,21 @@ bool GeometryAnswers::is_patch(const ObjectPtr& object) {
   return !leaves.empty() && leaves.front()->shape->is_patch();
 }
 
-Aabb GeometryAnswers::extent(const ObjectPtr& object) {
-  constexpr double kUnbounded = 1e10;
+namespace {
+
+Aabb tight_box(const Object& object) {
+  BuiltScene scene;
+  scene.textures = std::make_unique<TextureCompiler>(TextureSettings{});
+  SceneBuilder builder(scene, BuildOptions{});
+  builder.add_geometry(std::make_shared<const Object>(object));
   Aabb box;
-  for (const auto& solid : built(object).scene.solids) box.join(solid->box);
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto single = [](double v) { return static_cast<double>(static_cast<float>(v)); };
-    box.lo[axis] = std::clamp(single(box.lo[axis]), -kUnbounded, kUnbounded);
-    box.hi[axis] = std::clamp(single(box.hi[axis]), -kUnbounded, kUnbounded);
-  }
+  for (const auto& solid : scene.solids) box.join(solid->box);
   return box;
 }
+
+}  // namespace
+
+Aabb GeometryAnswers::extent(const ObjectPtr& object) { return language_extent(*object, tight_box); }
 
 std::optional<dvec2> GeometryAnswers::image_size(const PigmentPtr& pigment) {
   const auto* any = std::get_if<AnyPattern>(&pigment->body.pattern);

@@ -79,7 +79,7 @@ TEST_P(LanguageScene, WritesWhatTheReferenceWrites) {
 
 INSTANTIATE_TEST_SUITE_P(All, LanguageScene,
                          testing::Values("precedence", "numbers", "text", "control", "macros", "arrays_splines", "functions",
-                                         "colors", "geometry", "files"),
+                                         "colors", "geometry", "extents", "files"),
                          [](const auto& test) { return test.param; });
 
 TEST(DebugStream, ShowsWhatTheReferenceShows) {

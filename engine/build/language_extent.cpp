@@ -1,0 +1,174 @@
+#include "engine/build/language_extent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/shape/axis_frame.hpp"
+
+namespace lute {
+
+namespace {
+
+using TightBox = std::function<Aabb(const Object&)>;
+
+constexpr double kUnbounded = 1e10;  // as far as a box reaches
+constexpr double kLargest = 1e6;     // of sides that a union's box may have
+
+Aabb everything() { return {dvec3(-kUnbounded), dvec3(kUnbounded)}; }
+
+// Boxes are kept in single precision, as a corner and lengths.
+Aabb stored(const Aabb& box) {
+  if (box.empty() || !box.is_finite()) return everything();
+  Aabb result;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto lo = static_cast<float>(std::clamp(box.lo[axis], -kUnbounded, kUnbounded));
+    const auto length = static_cast<float>(std::clamp(box.hi[axis], -kUnbounded, kUnbounded) - box.lo[axis]);
+    result.lo[axis] = static_cast<double>(lo);
+    result.hi[axis] = static_cast<double>(lo + length);
+  }
+  return result;
+}
+
+bool infinite(const Aabb& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.hi[axis] - box.lo[axis] > kLargest) return true;
+  }
+  return false;
+}
+
+Aabb moved(const Aabb& box, const Transform& transform) {
+  if (transform.identity()) return box;
+  return infinite(box) ? everything() : stored(transform.box(box));
+}
+
+// Frame of a shape that is round about `axis`, as POV-Ray turns it, which shows in a box around its corners.
+Transform round_frame(const dvec3& base, const dvec3& axis) {
+  const dmat3 turn = turn_z_to(axis / glm::length(axis));
+  Transform frame;
+  frame.linear = turn;
+  frame.translation = base;
+  frame.inverse_linear = glm::transpose(turn);
+  frame.inverse_translation = -(frame.inverse_linear * base);
+  frame.kinds = Transform::kMatrix;
+  return frame;
+}
+
+Aabb round_box(const dvec3& base, const dvec3& axis, double radius, double below, double above, const Transform& transform) {
+  const double r = std::abs(radius);
+  return stored(round_frame(base, axis).then(transform).box({{-r, -r, below}, {r, r, above}}));
+}
+
+std::optional<Aabb> own_rule(const Cylinder& s, const Transform& transform) {
+  const dvec3 axis = s.base - s.cap;
+  const double length = glm::length(axis);
+  if (length == 0) return std::nullopt;
+  return round_box(s.cap, axis, s.radius, 0, length, transform);
+}
+std::optional<Aabb> own_rule(const Cone& s, const Transform& transform) {
+  const bool base_is_wide = std::abs(s.base_radius) >= std::abs(s.cap_radius);
+  const dvec3 narrow = base_is_wide ? s.cap : s.base, wide = base_is_wide ? s.base : s.cap;
+  const double length = glm::length(wide - narrow);
+  if (length == 0) return std::nullopt;
+  return round_box(narrow, wide - narrow, base_is_wide ? s.base_radius : s.cap_radius, 0, length, transform);
+}
+std::optional<Aabb> own_rule(const Disc& s, const Transform& transform) {
+  constexpr double kHalfThickness = 1e-3;
+  if (glm::length(s.normal) == 0) return std::nullopt;
+  return round_box(s.center, s.normal, s.radius, -kHalfThickness, kHalfThickness, transform);
+}
+template <class S>
+std::optional<Aabb> own_rule(const S&, const Transform&) {
+  return std::nullopt;
+}
+
+// Moved with their numbers, not with a matrix beside them; or without a box.
+template <class S>
+constexpr bool kMovesItsNumbers = std::is_same_v<S, Triangle> || std::is_same_v<S, SmoothTriangle> || std::is_same_v<S, BicubicPatch> ||
+                                  std::is_same_v<S, Plane> || std::is_same_v<S, Quadric> || std::is_same_v<S, Poly> ||
+                                  std::is_same_v<S, SphereSweep>;
+
+bool stays_a_sphere(const Transform& transform) {
+  return (transform.kinds & ~(Transform::kTranslate | Transform::kRotate | Transform::kUniformScale)) == 0;
+}
+
+Aabb shape_box(const Object& object, const AnyShape& shape, const TightBox& tight_box) {
+  Object bare;
+  bare.geometry = object.geometry;
+  return std::visit(
+      [&]<class S>(const S& s) {
+        if (const auto box = own_rule(s, object.transform)) return *box;
+        if (kMovesItsNumbers<S> || (std::is_same_v<S, Sphere> && stays_a_sphere(object.transform))) {
+          bare.transform = object.transform;
+          return stored(tight_box(bare));
+        }
+        return moved(stored(tight_box(bare)), object.transform);
+      },
+      shape);
+}
+
+// The half space of a plane that is parallel to two axes, as a box: the only planes that bound an intersection.
+std::optional<Aabb> half_space(const Object& object, bool inverted) {
+  const auto* shape = std::get_if<AnyShape>(&object.geometry);
+  const auto* plane = shape != nullptr ? std::get_if<Plane>(shape) : nullptr;
+  if (plane == nullptr) return std::nullopt;
+  const dvec3 unit = plane->normal / glm::length(plane->normal);
+  const dvec3 normal = glm::normalize(object.transform.normal(unit));
+  const double distance = glm::dot(normal, object.transform.point(unit * plane->distance));
+  constexpr double kEpsilon = 1e-10;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(normal[axis]) < 1 - kEpsilon) continue;
+    Aabb box = everything();
+    ((normal[axis] > 0) != inverted ? box.hi : box.lo)[axis] = distance * normal[axis];
+    return box;
+  }
+  return std::nullopt;
+}
+
+Aabb csg_box(const Csg& csg, const TightBox& tight_box) {
+  if (csg.operation == CsgOperation::kUnion || csg.operation == CsgOperation::kMerge || csg.operation == CsgOperation::kLightGroup) {
+    Aabb box;
+    for (const ObjectPtr& child : csg.children) {
+      if (!std::holds_alternative<LightSource>(child->geometry)) box.join(language_extent(*child, tight_box));
+    }
+    return stored(box);
+  }
+  Aabb box = everything();
+  for (std::size_t i = 0; i < csg.children.size(); ++i) {
+    const Object& child = *csg.children[i];
+    const bool inverted = child.inverse != (csg.operation == CsgOperation::kDifference && i > 0);
+    if (const auto half = half_space(child, inverted)) box = box.intersection(*half);
+    else if (!inverted) box = box.intersection(language_extent(child, tight_box));
+  }
+  return stored(box);
+}
+
+double volume(const Aabb& box) {
+  const dvec3 side = box.hi - box.lo;
+  return side.x * side.y * side.z;
+}
+
+// The boxes of what bounds or clips an object take the place of its own when they are smaller.
+Aabb limited(const Aabb& box, const std::vector<ObjectPtr>& limits, const TightBox& tight_box) {
+  Aabb common = everything();
+  for (const ObjectPtr& limit : limits) {
+    if (!limit->inverse) common = common.intersection(language_extent(*limit, tight_box));
+  }
+  return volume(common) < volume(box) ? stored(common) : box;
+}
+
+}  // namespace
+
+Aabb language_extent(const Object& object, const TightBox& tight_box) {
+  Aabb box;
+  if (const auto* csg = std::get_if<Csg>(&object.geometry)) {
+    box = object.inverse ? tight_box(object) : moved(csg_box(*csg, tight_box), object.transform);
+  } else if (const auto* shape = std::get_if<AnyShape>(&object.geometry)) {
+    box = shape_box(object, *shape, tight_box);
+  } else {
+    return everything();
+  }
+  return limited(limited(box, object.bounded_by, tight_box), object.clipped_by, tight_box);
+}
+
+}  // namespace lute

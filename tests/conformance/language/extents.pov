@@ -1,0 +1,52 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+// Boxes as min_extent and max_extent tell them, and the normals of round shapes with the signs of their zeros.
+#fopen W "out.txt" write
+#macro V(Name, Value) #write(W, Name, " ", vstr(3, Value, ",", 0, 6), "\n") #end
+#macro E(Name, Thing) V(Name, min_extent(Thing)) V(Name, max_extent(Thing)) #end
+
+#declare O = cylinder { 0, y, 1 } E("cylinder", O)
+#declare O = cylinder { 0, <1, 2, 3>, .5 } E("slanted cylinder", O)
+#declare O = cylinder { 0, y, 1 rotate 30*z } E("turned cylinder", O)
+#declare O = cone { 0, 1, y, .5 } E("cone", O)
+#declare O = cone { 0, 1, <1, 2, 3>, .5 } E("slanted cone", O)
+#declare O = cone { 0, .5, <1, 2, 3>, 1 scale <1, 2, 1> } E("scaled cone", O)
+#declare O = sphere { <1, 2, 3>, 2 rotate <10, 20, 30> } E("turned sphere", O)
+#declare O = sphere { 0, 1 scale <1, 2, 3> rotate 30*z } E("ellipsoid", O)
+#declare O = box { 0, 1 rotate 30*z } E("turned box", O)
+#declare O = torus { 1, .2 rotate 30*z } E("turned torus", O)
+#declare O = disc { 0, <1, 1, 1>, 1 } E("slanted disc", O)
+#declare O = superellipsoid { <.5, .5> rotate 45*y } E("superellipsoid", O)
+#declare O = lathe { linear_spline 3 <0, 0>, <1, .5>, <0, 1> rotate 20*x } E("turned lathe", O)
+#declare O = prism { 0, 1, 4, <0, 0>, <1, 0>, <1, 1>, <0, 0> rotate 20*y } E("turned prism", O)
+#declare O = mesh { triangle { 0, x, y } triangle { x, y, z } rotate 30*z } E("turned mesh", O)
+#declare O = plane { y, 0 } E("plane", O)
+#declare O = union { sphere { 0, 1 } box { 1, 2 } } E("union", O)
+#declare O = union { sphere { 0, 1 } box { 1, 2 } rotate 45*y } E("turned union", O)
+#declare O = object { O rotate 30*x } E("union turned again", O)
+#declare O = intersection { sphere { 0, 1 } box { 0, 2 } } E("intersection", O)
+#declare O = intersection { sphere { 0, 1 } plane { y, .3 } } E("with plane", O)
+#declare O = intersection { sphere { 0, 1 } plane { y, .3 translate .2*y } } E("with moved plane", O)
+#declare O = difference { box { -1, 1 } plane { y, .3 } } E("without half space", O)
+#declare O = difference { box { -1, 1 } plane { x + y, .3 } } E("without slanted half space", O)
+#declare O = difference { cone { 0, 1, y, .5 } cylinder { -y, 2*y, .3 } rotate <20, 30, 40> } E("turned difference", O)
+#declare O = object { sphere { 0, 1 } clipped_by { box { 0, 1 } } } E("clipped", O)
+#declare O = object { sphere { 0, 1 } bounded_by { box { 0, .5 } } } E("bounded", O)
+#declare O = light_source { 0, 1 } E("light", O)
+
+#declare Axis = array[6] { x, -x, y, -y, z, -z }
+#macro T(Name, Thing, From, To)
+  #local N = <0, 0, 0>;
+  #local P = trace(Thing, From, To, N);
+  V(Name, P) V(Name, N)
+#end
+#for (I, 0, 5)
+  #declare O = cylinder { 0, Axis[I], .5 }
+  #for (J, 0, 5)
+    T(concat("cylinder ", str(I, 0, 0)), O, Axis[I]*.5 + Axis[J]*2, -Axis[J])
+    T(concat("cylinder ", str(I, 0, 0)), O, Axis[I]*.5 + Axis[J]*2 + .1*vrotate(Axis[I], 90), -Axis[J])
+  #end
+#end
+#fclose W
+camera { }
+sphere { 0, 1 }

@@ -20,11 +20,14 @@ namespace lute {
 namespace ini {
 
 namespace x3 = boost::spirit::x3;
-using x3::blank;
 using x3::char_;
 using x3::eoi;
 using x3::lexeme;
 using x3::omit;
+
+// Not x3::blank, x3::alpha, x3::alnum: they end the program at a byte above 127.
+const auto blank = char_(" \t");
+const auto identifier = x3::raw[char_("a-zA-Z_") >> *char_("a-zA-Z0-9_")];
 
 const auto comment = omit[char_(";#") >> *char_];
 const auto end = omit[*blank] >> -comment >> eoi;
@@ -36,7 +39,6 @@ const auto single_quoted = lexeme['\'' >> *(char_ - '\'') >> '\''];
 const auto quoted_piece = x3::raw['"' >> *(char_ - '"') >> '"'] | x3::raw['\'' >> *(char_ - '\'') >> '\''];
 const auto raw_rest = x3::rule<class RawRest, std::string>{"value"} = x3::raw[*(quoted_piece | (char_ - char_(";#")))];
 
-const auto identifier = x3::raw[(x3::alpha | '_') >> *(x3::alnum | '_')];
 const auto assignment = x3::rule<class AssignmentRule, Assignment>{"assignment"} =
     omit[*blank] >> identifier >> omit[*blank] >> '=' >> raw_rest >> -comment >> eoi;
 

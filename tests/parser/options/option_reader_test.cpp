@@ -184,6 +184,13 @@ TEST(Options, IniLines) {
   EXPECT_THAT(options.declares, ElementsAre(std::pair("size", "0.123457"), std::pair("name", "\"text\"")));
 }
 
+TEST(Options, NamesMayHaveLettersAbove127) {
+  const RenderOptions options = options_of({"a.ini"}, {{"a.ini", "Input_File_Name=\xC3\xA4.pov\n+O\xE4.png  ; gr\xC3\xBCn\n"}});
+  EXPECT_EQ(options.input_file, "\xC3\xA4.pov");
+  EXPECT_EQ(options.output_file, "\xE4.png");
+  EXPECT_THAT(error_of({"a.ini"}, {{"a.ini", "W\xC3\xA4=5\n"}}), HasSubstr("a.ini"));
+}
+
 TEST(Options, IniMistakesNameTheLine) {
   EXPECT_THAT(error_of({"a.ini"}, {{"a.ini", "Width=4\n\nWitdh=4\n"}}), HasSubstr("a.ini:3: unknown option 'Witdh'"));
   EXPECT_THAT(error_of({"a.ini"}, {{"a.ini", "Width\"\n"}}), HasSubstr("a.ini:1"));

@@ -35,6 +35,16 @@ SourceLocation Session::locate(std::uint32_t file, const Token* token) const {
   return files[file]->locate(token->offset);
 }
 
+namespace {
+
+// A line may be as long as its file (one that is no text): what lies far behind the place is left out.
+std::string_view excerpt(std::string_view line, SourceLocation where) {
+  constexpr std::size_t kBehind = 1024;  // a message shows less than that
+  return line.substr(0, where.column + kBehind);
+}
+
+}  // namespace
+
 Diagnostic Session::diagnose(Severity severity, std::string code, std::string message, std::uint32_t file, const Token* token) {
   if (severity == Severity::kError) recovery.set_place(file, token);
   Diagnostic d;
@@ -50,7 +60,7 @@ Diagnostic Session::diagnose(Severity severity, std::string code, std::string me
   d.file = source.name;
   d.where = source.locate(token->offset);
   d.end_column = d.where.column + token_end(source, *token) - token->offset;
-  d.excerpt = std::string(source.line(d.where.line));
+  d.excerpt = excerpt(source.line(d.where.line), d.where);
   // The way to the place: from the innermost frame out.
   constexpr std::size_t kMostNotes = 20;
   for (std::size_t i = stream.frames.size(); i-- > 1 && d.chain.size() < kMostNotes;) {

@@ -42,6 +42,13 @@ TEST(Diagnostic, CutsLongLinesAroundThePlace) {
   EXPECT_NE(text.find("foo"), std::string::npos);
 }
 
+TEST(Diagnostic, KeepsOfALongLineNothingFarBehindThePlace) {
+  const Diagnostic d = read_text("spere { 0, 1 }" + std::string(1'000'000, ' ')).last();
+  EXPECT_LT(d.excerpt.size(), 2000u);
+  EXPECT_EQ(d.excerpt.substr(0, 5), "spere");
+  EXPECT_NE(to_text(d).find("\n  hint: did you mean 'sphere'?"), std::string::npos);
+}
+
 TEST(Diagnostic, IsTheSameInJson) {
   const Reading reading = read_text("#warning \"a \\\"b\\\"\\n\"\nspere { 0, 1 }");
   const nlohmann::json json = nlohmann::json::parse(to_json(reading.diagnostics));

@@ -25,13 +25,27 @@ std::string parse_font_name(Reader& reader) {
   reader.error_expected("ttf or internal");
 }
 
-std::shared_ptr<const std::string> load_font(Reader& reader, const std::string& name) {
-  const auto path = reader.find_file(name, {".ttf", ".TTF"});
-  if (!path) reader.error("Cannot open font file.", "missing-file");
+struct FontName {
+  std::string text;
+  SourceLocation where;
+};
+
+// POV-Ray opens the font when it has read what follows, and tells that place; the note tells where the name stands.
+[[noreturn]] void fail_missing_font(Reader& reader, const FontName& name) {
+  Session& session = reader.session();
+  const Item& next = reader.peek();
+  Diagnostic d = session.diagnose(Severity::kError, "missing-file", "Cannot open font file.", next.file, next.source);
+  d.chain.insert(d.chain.begin(), {"'" + name.text + "' is named at", session.files[name.where.file]->name, name.where});
+  session.report_fatal(std::move(d));
+}
+
+std::shared_ptr<const std::string> load_font(Reader& reader, const FontName& name) {
+  const auto path = reader.find_file(name.text, {".ttf", ".TTF"});
+  if (!path) fail_missing_font(reader, name);
   std::shared_ptr<const std::string>& font = statements_of(reader).fonts[*path];
   if (font == nullptr) {
     std::ifstream file(*path, std::ios::binary);
-    if (!file) reader.error("Cannot open font file.", "missing-file");
+    if (!file) fail_missing_font(reader, name);
     font = std::make_shared<const std::string>(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
   }
   return font;
@@ -41,13 +55,16 @@ std::shared_ptr<const std::string> load_font(Reader& reader, const std::string& 
 
 Text parse_text(Reader& reader) {
   Text text;
-  text.font = load_font(reader, parse_font_name(reader));
+  FontName font;
+  font.text = parse_font_name(reader);
+  font.where = reader.location();
   reader.comma();
   text.string = reader.string();
   reader.comma();
   text.depth = reader.number();
   reader.comma();
   text.offset = reader.vector();
+  text.font = load_font(reader, font);
   text.unicode_first = reader.session().language.charset != Reader::Charset::kAscii;
   return text;
 }

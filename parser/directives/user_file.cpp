@@ -233,6 +233,7 @@ void run_write(Session& session) {
         const Number value = evaluate(session, Level::kAdditive);
         for (int i = 0; i < value.count; ++i) write_integer(file->output, value.c[static_cast<std::size_t>(i)], *format);
       }
+      if (reader.at_string()) session.fail_expected("expression", reader.peek());
       continue;
     }
     const bool color = next.is(TokenKind::kIdentifier) && next.slot->holds<Number>() && next.slot->get_if<Number>()->count == 5;

@@ -100,7 +100,8 @@ std::u16string parse_substr(Session& session) {
   if (position < 0 || count < 0 || position + count - 1 > static_cast<std::int64_t>(text.size())) {
     session.fail("Illegal parameters in substr.", "substr");
   }
-  return text.substr(static_cast<std::size_t>(std::max<std::int64_t>(position - 1, 0)), static_cast<std::size_t>(count));
+  if (position == 0) return {};
+  return text.substr(static_cast<std::size_t>(position - 1), static_cast<std::size_t>(count));
 }
 
 std::u16string parse_datetime(Session& session) {

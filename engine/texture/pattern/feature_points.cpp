@@ -178,18 +178,13 @@ struct PointBlock {
     }
   }
 
-  // The distances first, all at once, then the smallest of them; of four that are all too large none is looked at.
+  // The distances first, all at once, then the smallest of them.
   template <DistancePower Power>
-  void add_to(Nearest& nearest, const dvec3& p, int wanted, const Power& power) const {
+  void add_to(Nearest& nearest, const dvec3& p, const Power& power) const {
     alignas(64) double distance[kLength];
     for (std::size_t i = 0; i < kLength; ++i) distance[i] = power(p.x - x[i]) + power(p.y - y[i]) + power(p.z - z[i]);
-    const double& limit = nearest.points.distance[wanted - 1];
-    for (std::size_t i = 0; i < kLength; i += 4) {
-      const double least = std::min(std::min(distance[i], distance[i + 1]), std::min(distance[i + 2], distance[i + 3]));
-      if (!(least < limit)) continue;
-      for (std::size_t k = i; k < i + 4; ++k)
-        if (distance[k] < limit) nearest.add(distance[k], {x[k], y[k], z[k]});
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      if (distance[i] < nearest.points.distance[2]) nearest.add(distance[i], {x[i], y[i], z[i]});
   }
 
   // For powers that are dear: only of what is within `radius` along every axis, which shrinks with what is found.
@@ -224,8 +219,8 @@ class CubePoints {
   template <DistancePower Power>
   FeaturePoints nearest(const Place& place, int wanted, const Power& power) {
     Nearest nearest;
-    inner_.add_to(nearest, place.point, wanted, power);
-    if (nearest.points.distance[wanted - 1] > 1) outer(place).add_to(nearest, place.point, wanted, power);
+    inner_.add_to(nearest, place.point, power);
+    if (nearest.points.distance[wanted - 1] > 1) outer(place).add_to(nearest, place.point, power);
     return nearest.points;
   }
   template <DistancePower Power>

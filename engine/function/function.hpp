@@ -11,6 +11,8 @@
 
 namespace lute {
 
+struct Enclosure;  // engine/function/enclosure.hpp
+
 class Function {
  public:
   virtual ~Function() = default;
@@ -21,6 +23,10 @@ class Function {
 
   // `arguments` has parameter_count() values, `results` room for result_count(). Never throws; domain problems are NaN.
   virtual void evaluate(const double* arguments, double* results) const = 0;
+
+  // Bounds of the one result of a float function and of its slope, for arguments that run over ranges. False if this function has no
+  // such formula (noise, patterns, pigments).
+  virtual bool enclose(const Enclosure* arguments, Enclosure& result) const;
 
   double at(const dvec3& p) const {  // of a float function of (x, y, z)
     const double arguments[3] = {p.x, p.y, p.z};

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "engine/function/enclosure.hpp"
 #include "engine/function/field.hpp"
 #include "engine/function/noise_function.hpp"
 
@@ -13,9 +14,9 @@ using field::cube;
 using field::Ellipsoids;
 using field::limit;
 using field::plane_or_revolved;
-using field::Point;
 using field::positive_mod;
 using field::sq;
+using Point = field::Point<double>;
 using std::atan2;
 using std::cos;
 using std::exp;
@@ -27,10 +28,11 @@ using std::pow;
 using std::sin;
 using std::sqrt;
 
-double boy_surface(const double* a) {
-  const Point p(a);
-  const double q = 1 - p.z, w = p.X + p.Y, root2 = sqrt(2.0);
-  const double sum = 64 * cube(q) * p.Z * p.z - 48 * q * q * p.Z * (3 * p.X + 3 * p.Y + 2 * p.Z) +
+template <class T>
+T boy_surface(const T* a) {
+  const field::Point<T> p(a);
+  const T q = 1 - p.z, w = p.X + p.Y, root2 = sqrt(2.0);
+  const T sum = 64 * cube(q) * p.Z * p.z - 48 * q * q * p.Z * (3 * p.X + 3 * p.Y + 2 * p.Z) +
                      12 * q * p.z * (27 * w * w - 24 * p.Z * w + 36 * root2 * p.y * p.z * (p.Y - 3 * p.X) + 4 * p.Z * p.Z) +
                      (9 * p.X + 9 * p.Y - 2 * p.Z) *
                          (-81 * w * w - 72 * p.Z * w + 108 * root2 * p.x * p.z * (p.X - 3 * p.Y) + 4 * p.Z * p.Z);
@@ -45,10 +47,11 @@ double comma(const double* a) {
   return -max(m, s / 2 - sqrt(sq(p.x - s / 2) + p.Y + p.Z));
 }
 
-double dupin_cyclid(const double* v) {
-  const Point p(v);
-  const double f = v[3], a = v[4], b = v[5], c = v[6], d = v[7], q = sq(v[8]);
-  const double k1 = b * b - d * d - sq(c + a), k2 = b * b - d * d - sq(c - a), h = c * p.x + d * p.y;
+template <class T>
+T dupin_cyclid(const T* v) {
+  const field::Point<T> p(v);
+  const T f = v[3], a = v[4], b = v[5], c = v[6], d = v[7], q = sq(v[8]);
+  const T k1 = b * b - d * d - sq(c + a), k2 = b * b - d * d - sq(c - a), h = c * p.x + d * p.y;
   return limit(-f * (k1 * k2 * p.R * p.R + 2 * q * ((b * b + a * a - c * c - d * d) * (2 * h - q) - 4 * d * b * b * p.y) * p.R +
                      4 * q * q * h * (h - q) + 4 * q * q * a * a * p.Y + q * q * q * q));
 }
@@ -81,10 +84,11 @@ double helix1(const double* a) {
   return -minor + min(major + rho, cross_section(rho - major, (h - kPi) / ys / (f * n), a[8], a[9]));
 }
 
-double helix2(const double* a) {
-  const Point p(a);
-  const double c = cos(a[4] * p.y), k = sin(a[4] * p.y), u = p.x - a[6] * c, w = p.z - a[6] * k;
-  return cross_section(u * c + w * k, -u * k + w * c, a[8], 0) - a[5];
+template <class T>
+T helix2(const T* a) {
+  const field::Point<T> p(a);
+  const T c = cos(a[4] * p.y), k = sin(a[4] * p.y), u = p.x - a[6] * c, w = p.z - a[6] * k;
+  return cross_section<T>(u * c + w * k, -u * k + w * c, a[8], 0) - a[5];
 }
 
 // The hexagonal cell folded into one corner: distances a, b from its centre.
@@ -108,23 +112,26 @@ double hex_y(const double* a) {
   return atan2(w, u) < kPi / 6 ? w : fabs(-u * sqrt(3.0) / 2 + w / 2);
 }
 
-double hyperbolic_torus(const double* a) {
-  const Point p(a);
-  const double m = sq(a[4]), q = sq(a[5]);
+template <class T>
+T hyperbolic_torus(const T* a) {
+  const field::Point<T> p(a);
+  const T m = sq(a[4]), q = sq(a[5]);
   return limit(-a[3] * (p.X * p.X + 2 * p.X * p.Y - 2 * p.X * p.Z - 2 * (m + q) * p.X + p.Y * p.Y - 2 * p.Y * p.Z +
                         2 * (m - q) * p.Y + p.Z * p.Z + 2 * (m + q) * p.Z + sq(m - q)));
 }
 
-double parabolic_torus(const double* a) {
-  const Point p(a);
-  const double m = sq(a[4]), q = sq(a[5]);
+template <class T>
+T parabolic_torus(const T* a) {
+  const field::Point<T> p(a);
+  const T m = sq(a[4]), q = sq(a[5]);
   return limit(-a[3] * (p.X * p.X + 2 * p.X * p.Y - 2 * p.X * p.z - (m + q) * p.X + p.Y * p.Y - 2 * p.Y * p.z +
                         (m - q) * p.Y + p.Z + (m + q) * p.z + sq(m - q)));
 }
 
-double klein_bottle(const double* a) {
-  const Point p(a);
-  const double k = p.R - 2 * p.y - 1;
+template <class T>
+T klein_bottle(const T* a) {
+  const field::Point<T> p(a);
+  const T k = p.R - 2 * p.y - 1;
   return limit(-a[3] * ((p.R + 2 * p.y - 1) * (k * k - 8 * p.Z) + 16 * p.x * p.z * k));
 }
 
@@ -159,9 +166,10 @@ double quantum(const double* a) {
   return -0.1 * (k * k - 12);
 }
 
-double rounded_box(const double* a) {
-  const Point p(a);
-  const auto beyond = [&](double v, double half) { return sq(max(0.0, fabs(v) - (half - a[3]))); };
+template <class T>
+T rounded_box(const T* a) {
+  const field::Point<T> p(a);
+  const auto beyond = [&](const T& v, const T& half) { return sq(max(T(0.0), fabs(v) - (half - a[3]))); };
   return sqrt(beyond(p.x, a[4]) + beyond(p.y, a[5]) + beyond(p.z, a[6])) - a[3] - 1e-6;
 }
 
@@ -169,25 +177,35 @@ double spiral(const double* a) {
   Point p(a);
   if (p.x == 0 && p.z == 0) p.x = 1e-6;
   const double d = a[3], rho = sqrt(p.X + p.Z) + d * atan2(p.z, p.x) / (2 * kPi);
-  const double k = cross_section(fmod(rho, d) - d / 2, p.y, a[8], 0);
+  const double k = cross_section(fmod(rho, d) - d / 2, p.y, a[8], 0.0);
   return -min(a[5] - sqrt(p.R), a[4] - min(k, sqrt(p.R)));
 }
 
-double superellipsoid(const double* a) {
-  const Point p(a);
-  const double e = a[3], n = a[4];
-  const double xy = pow(fabs(p.x), 2 / e) + pow(fabs(p.y), 2 / e);
+template <class T>
+T superellipsoid(const T* a) {
+  const field::Point<T> p(a);
+  const T e = a[3], n = a[4];
+  const T xy = pow(fabs(p.x), 2 / e) + pow(fabs(p.y), 2 / e);
   return 1 - pow(pow(xy, e / n) + pow(fabs(p.z), 2 / n), n / 2);
 }
 
-#define FIELD(NAME, PARAMETERS, VALUE) \
-  InternalFunction { NAME, PARAMETERS + 3, [](const double* a) -> double { const Point p(a); return VALUE; } }
-#define CURVE(NAME, PARAMETERS, SWITCH, VALUE)                                                       \
-  InternalFunction {                                                                                 \
-    NAME, PARAMETERS + 3, [](const double* a) -> double {                                            \
-      const Point p = plane_or_revolved(a, a[SWITCH], a[SWITCH + 1], a[SWITCH + 2]); return VALUE;   \
-    }                                                                                                \
-  }
+// A formula for numbers and for ranges: FORMULA is a generic lambda.
+template <class Formula>
+constexpr InternalFunction both(std::string_view name, int parameters, Formula formula) {
+  return {name, parameters + 3, static_cast<double (*)(const double*)>(formula), static_cast<Enclosure (*)(const Enclosure*)>(formula)};
+}
+
+#define FIELD(NAME, PARAMETERS, VALUE)                                                     \
+  both(NAME, PARAMETERS, []<class T>(const T* a) -> T {                                   \
+    const field::Point<T> p(a);                                                            \
+    return VALUE;                                                                          \
+  })
+#define CURVE(NAME, PARAMETERS, SWITCH, VALUE)                                             \
+  both(NAME, PARAMETERS, []<class T>(const T* a) -> T {                                   \
+    const field::Point<T> p = plane_or_revolved(a, a[SWITCH], a[SWITCH + 1], a[SWITCH + 2]); \
+    return VALUE;                                                                          \
+  })
+#define FORMULA(NAME, PARAMETERS, FUNCTION) both(NAME, PARAMETERS, []<class T>(const T* a) -> T { return FUNCTION(a); })
 
 // In the language's numbering. a[3] is the first parameter after x, y, z.
 const auto kTable = std::to_array<InternalFunction>({
@@ -197,41 +215,41 @@ const auto kTable = std::to_array<InternalFunction>({
     CURVE("algbr_cyl4", 5, 5, limit(a[3] * -(p.X * p.X + p.Y * p.Y + 2 * p.X * p.Y + 3 * p.X * p.y - p.Y * p.y), a[4])),
     FIELD("bicorn", 2, limit(a[3] * (p.Y * (sq(a[4]) - p.X - p.Z) - sq(p.X + p.Z + 2 * a[4] * p.y - sq(a[4]))))),
     FIELD("bifolia", 2, limit(-a[3] * (p.R * p.R - a[4] * (p.X + p.Z) * p.y))),
-    FIELD("blob", 5, -(a[4] * sq(1 - min(1.0, (sq(p.x + a[3] / 2) + p.Y + p.Z) * sq(a[5]))) +
-                       a[6] * sq(1 - min(1.0, (sq(p.x - a[3] / 2) + p.Y + p.Z) * sq(a[7]))))),
+    FIELD("blob", 5, -(a[4] * sq(1 - min(T(1.0), (sq(p.x + a[3] / 2) + p.Y + p.Z) * sq(a[5]))) +
+                       a[6] * sq(1 - min(T(1.0), (sq(p.x - a[3] / 2) + p.Y + p.Z) * sq(a[7]))))),
     FIELD("blob2", 4, a[6] - a[5] * (exp(-a[4] * p.R) + exp(-a[4] * (sq(p.x - a[3]) + p.Y + p.Z)))),
-    InternalFunction{"boy_surface", 5, boy_surface},
+    FORMULA("boy_surface", 2, boy_surface),
     InternalFunction{"comma", 4, comma},
-    FIELD("cross_ellipsoids", 4, a[6] - a[5] * max(Ellipsoids(p, a[3], a[4]).e1,
-                                                   max(Ellipsoids(p, a[3], a[4]).e2, Ellipsoids(p, a[3], a[4]).e3))),
+    FIELD("cross_ellipsoids", 4, a[6] - a[5] * max(Ellipsoids<T>(p, a[3], a[4]).e1,
+                                                   max(Ellipsoids<T>(p, a[3], a[4]).e2, Ellipsoids<T>(p, a[3], a[4]).e3))),
     FIELD("crossed_trough", 1, limit(a[3] * (p.X * p.Z - p.y))),
     FIELD("cubic_saddle", 1, limit(-a[3] * (cube(p.x) - cube(p.y) - p.z))),
     FIELD("cushion", 1, limit(a[3] * (p.Z * p.X - p.Z * p.Z - 2 * p.z * p.X + 2 * p.Z * p.z + p.X - p.Z - sq(p.X - p.z) -
                                       p.Y * p.Y - 2 * p.X * p.Y - p.Y * p.Z + 2 * p.Y * p.z + p.Y))),
     FIELD("devils_curve", 1, limit(-a[3] * (p.X * p.X + 2 * p.X * p.Z - 0.36 * p.X - p.Y * p.Y + 0.25 * p.Y + p.Z * p.Z))),
     CURVE("devils_curve_2d", 6, 6, limit(-a[3] * (p.X * (p.X - sq(a[4])) - p.Y * (p.Y - sq(a[5]))))),
-    InternalFunction{"dupin_cyclid", 9, dupin_cyclid},
+    FORMULA("dupin_cyclid", 6, dupin_cyclid),
     FIELD("ellipsoid", 3, sqrt(sq(a[3]) * p.X + sq(a[4]) * p.Y + sq(a[5]) * p.Z)),
     InternalFunction{"enneper", 4, enneper},
-    FIELD("flange_cover", 4, a[6] - a[5] * (Ellipsoids(p, a[3], a[4]).e1 + Ellipsoids(p, a[3], a[4]).e2 +
-                                            Ellipsoids(p, a[3], a[4]).e3)),
+    FIELD("flange_cover", 4, a[6] - a[5] * (Ellipsoids<T>(p, a[3], a[4]).e1 + Ellipsoids<T>(p, a[3], a[4]).e2 +
+                                            Ellipsoids<T>(p, a[3], a[4]).e3)),
     FIELD("folium_surface", 3, limit(a[3] * ((p.Y + p.Z) * (1 + (a[5] - 4 * a[4]) * p.x) + p.X * (1 + a[5])))),
     CURVE("folium_surface_2d", 6, 6, limit(-a[3] * (p.Y * (1 + (a[5] - 4 * a[4]) * p.x) + p.X * (1 + a[5])))),
     FIELD("glob", 1, limit(a[3] * (p.X * p.X * p.x / 2 + p.X * p.X / 2 - p.Y - p.Z))),
     FIELD("heart", 1, limit(-a[3] * (cube(2 * p.X + p.Y + p.Z - 1) - 0.1 * p.X * p.Z * p.z - p.Y * p.Z * p.z))),
     InternalFunction{"helical_torus", 13, helical_torus},
     InternalFunction{"helix1", 10, helix1},
-    InternalFunction{"helix2", 10, helix2},
+    FORMULA("helix2", 7, helix2),
     InternalFunction{"hex_x", 4, hex_x},
     InternalFunction{"hex_y", 4, hex_y},
     InternalFunction{"hetero_mf", 9, hetero_multifractal},
     FIELD("hunt_surface", 1, limit(-a[3] * (4 * cube(p.R - 13) + 27 * sq(3 * p.X + p.Y - 4 * p.Z - 12)))),
-    InternalFunction{"hyperbolic_torus", 6, hyperbolic_torus},
-    FIELD("isect_ellipsoids", 4, a[6] - a[5] * min(Ellipsoids(p, a[3], a[4]).e1,
-                                                   min(Ellipsoids(p, a[3], a[4]).e2, Ellipsoids(p, a[3], a[4]).e3))),
+    FORMULA("hyperbolic_torus", 3, hyperbolic_torus),
+    FIELD("isect_ellipsoids", 4, a[6] - a[5] * min(Ellipsoids<T>(p, a[3], a[4]).e1,
+                                                   min(Ellipsoids<T>(p, a[3], a[4]).e2, Ellipsoids<T>(p, a[3], a[4]).e3))),
     FIELD("kampyle_of_eudoxus", 3, limit(-a[3] * (p.Y + p.Z - sq(a[5]) * p.X * p.X + sq(a[5]) * sq(a[4]) * p.X))),
     CURVE("kampyle_of_eudoxus_2d", 6, 6, limit(-a[3] * (p.Y - sq(a[5]) * p.X * p.X + cube(a[5]) * a[4] * p.X))),
-    InternalFunction{"klein_bottle", 4, klein_bottle},
+    FORMULA("klein_bottle", 1, klein_bottle),
     FIELD("kummer_surface_v1", 1, limit(-a[3] * (p.X * p.X + p.Y * p.Y + p.Z * p.Z - p.X - p.Y - p.Z - p.X * p.Y - p.X * p.Z -
                                                  p.Y * p.Z + 1))),
     FIELD("kummer_surface_v2", 4, limit(-a[3] * (p.X * p.X + p.Y * p.Y + p.Z * p.Z + a[4] * p.R +
@@ -245,12 +263,12 @@ const auto kTable = std::to_array<InternalFunction>({
                                   p.Y * p.Y - 2 * p.X * p.Y - p.Y * p.Z + 2 * p.Y * p.z + p.Y))),
     FIELD("ovals_of_cassini", 4, limit(-a[3] * (sq(p.R + sq(a[4])) - a[6] * sq(a[4]) * (p.X + p.Z) - sq(a[5])))),
     FIELD("paraboloid", 1, limit(-a[3] * (p.X - p.y + p.Z))),
-    InternalFunction{"parabolic_torus", 6, parabolic_torus},
+    FORMULA("parabolic_torus", 3, parabolic_torus),
     FIELD("ph", 0, atan2(sqrt(p.X + p.Z), p.y)),
     FIELD("pillow", 1, limit(a[3] * (p.X * p.X + p.Y * p.Y + p.Z * p.Z - p.R))),
     FIELD("piriform", 1, -limit(-a[3] * (p.X * p.X - p.X * p.x + p.Y + p.Z))),
     CURVE("piriform_2d", 7, 7, limit(-a[3] * (p.Y - a[4] * sq(a[6]) * p.X * p.x - a[5] * sq(a[6]) * p.X * p.X))),
-    FIELD("poly4", 5, sqrt(p.X + p.Z) - max(-5.0, a[3] + a[4] * p.y + a[5] * p.Y + a[6] * p.Y * p.y + a[7] * p.Y * p.Y)),
+    FIELD("poly4", 5, sqrt(p.X + p.Z) - max(T(-5.0), a[3] + a[4] * p.y + a[5] * p.Y + a[6] * p.Y * p.y + a[7] * p.Y * p.Y)),
     InternalFunction{"polytubes", 9, polytubes},
     InternalFunction{"quantum", 4, quantum},
     FIELD("quartic_paraboloid", 1, limit(-a[3] * (p.X * p.X + p.Z * p.Z - p.y))),
@@ -259,16 +277,16 @@ const auto kTable = std::to_array<InternalFunction>({
     FIELD("r", 0, sqrt(p.R)),
     InternalFunction{"ridge", 9, ridge},
     InternalFunction{"ridged_mf", 9, ridged_multifractal},
-    InternalFunction{"rounded_box", 7, rounded_box},
+    FORMULA("rounded_box", 4, rounded_box),
     FIELD("sphere", 1, sqrt(p.R) - a[3]),
-    FIELD("spikes", 5, -a[5] * (a[7] * exp(-a[6] * p.R) - Ellipsoids(p, a[3], a[4]).e1 - Ellipsoids(p, a[3], a[4]).e2 -
-                                Ellipsoids(p, a[3], a[4]).e3)),
+    FIELD("spikes", 5, -a[5] * (a[7] * exp(-a[6] * p.R) - Ellipsoids<T>(p, a[3], a[4]).e1 - Ellipsoids<T>(p, a[3], a[4]).e2 -
+                                Ellipsoids<T>(p, a[3], a[4]).e3)),
     FIELD("spikes_2d", 4, p.y - a[3] * cos(a[4] * p.x) * cos(a[5] * p.z) * exp(-a[6] * (p.X + p.Z))),
     InternalFunction{"spiral", 9, spiral},
     FIELD("steiners_roman", 1, limit(-a[3] * (p.X * p.Y + p.X * p.Z + p.Y * p.Z + p.x * p.y * p.z))),
     FIELD("strophoid", 4, limit(-a[3] * ((a[5] - p.x) * (p.Y + p.Z) - sq(a[6]) * a[4] * p.X - sq(a[6]) * p.X * p.x))),
     CURVE("strophoid_2d", 7, 7, limit(-a[3] * ((a[5] - p.x) * p.Y - sq(a[6]) * a[4] * p.X - sq(a[6]) * p.X * p.x))),
-    InternalFunction{"superellipsoid", 5, superellipsoid},
+    FORMULA("superellipsoid", 2, superellipsoid),
     FIELD("th", 0, atan2(p.x, p.z)),
     FIELD("torus", 2, sqrt(sq(sqrt(p.X + p.Z) - a[3]) + p.Y) - a[4]),
     FIELD("torus2", 3, limit(-a[3] * (p.R * p.R - 2 * (sq(a[4]) + sq(a[5])) * (p.X + p.Z) + 2 * (sq(a[4]) - sq(a[5])) * p.Y +
@@ -280,14 +298,20 @@ const auto kTable = std::to_array<InternalFunction>({
 });
 #undef FIELD
 #undef CURVE
+#undef FORMULA
 
 class Internal final : public Function {
  public:
-  explicit Internal(const InternalFunction& entry) : Function(entry.parameters, 1), evaluate_(entry.evaluate) {}
-  void evaluate(const double* arguments, double* results) const override { results[0] = evaluate_(arguments); }
+  explicit Internal(const InternalFunction& entry) : Function(entry.parameters, 1), entry_(entry) {}
+  void evaluate(const double* arguments, double* results) const override { results[0] = entry_.evaluate(arguments); }
+  bool enclose(const Enclosure* arguments, Enclosure& result) const override {
+    if (entry_.enclose == nullptr) return false;
+    result = entry_.enclose(arguments);
+    return true;
+  }
 
  private:
-  double (*evaluate_)(const double*);
+  const InternalFunction& entry_;
 };
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace lute {
 struct InternalFunction {
   std::string_view name;  // without "f_"
   int parameters = 3;     // x, y, z included
-  double (*evaluate)(const double* a) = nullptr;  // a[0..2] = x, y, z; then the parameters
+  double (*evaluate)(const double* a) = nullptr;           // a[0..2] = x, y, z; then the parameters
+  Enclosure (*enclose)(const Enclosure* a) = nullptr;      // null: no bounds are known
 };
 
 // Indices 0 to 75: closed formulas. The noise functions follow in noise_functions.

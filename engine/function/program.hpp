@@ -34,6 +34,7 @@ double apply(BinaryOp op, double a, double b);
 class Program final : public Function {
  public:
   void evaluate(const double* arguments, double* results) const override;
+  bool enclose(const Enclosure* arguments, Enclosure& result) const override;
 
   std::size_t instruction_count() const { return code_.size(); }
 
@@ -48,6 +49,8 @@ class Program final : public Function {
     std::uint16_t a = 0, b = 0;       // registers; of a call: first argument, callee
     std::uint32_t jump = 0;           // instruction index
   };
+
+  class Enclosing;
 
   // Registers: parameters, then constants, then temporaries; the result is in result_.
   std::vector<double> constants_;

@@ -50,11 +50,12 @@ bench: setup-bench build/build.ninja
 	@build/bin/lute-bench-accel --benchmark_min_time=1
 	@build/bin/lute-bench-noise --benchmark_min_time=1
 
-# Every test under the sanitizers of addresses and undefined behaviour (half an hour).
+# Every test under the sanitizers of addresses and undefined behaviour (half an hour). Their stack frames are several times as large, and
+# what they keep of freed memory counts against the limit of a scene.
 asan: setup-test
 	@cmake --preset asan >/dev/null
 	@cmake --build build-asan
-	@ctest --test-dir build-asan --output-on-failure -j 2
+	@ulimit -s 65536 && ASAN_OPTIONS=quarantine_size_mb=16 ctest --test-dir build-asan --output-on-failure -j 2 --timeout 1500
 
 build/build.ninja: | setup
 	@cmake --preset release >/dev/null

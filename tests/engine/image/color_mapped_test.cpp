@@ -46,7 +46,7 @@ class ColorMappedFile : public testing::Test {
 };
 
 void append(Bytes& bytes, std::uint32_t value, int size) {
-  for (int i = 0; i < size; ++i) bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+  for (int i = 0; i < size; ++i) bytes.push_back(static_cast<std::uint8_t>(std::uint64_t{value} >> (8 * i)));
 }
 
 // Three colours: 10·k, 20·k, 30·k for k = 0...2.

@@ -2,67 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
-#include <optional>
-#include <utility>
-#include <vector>
 
-#include "engine/function/enclosure.hpp"
 #include "engine/function/function.hpp"
 #include "engine/shape/scanned_shape.hpp"
-#include "engine/shape/slope_proof.hpp"
 
 namespace lute {
 
 namespace {
-
-// What copies of an isosurface share: where max_gradient is proven to be enough. Made when the first ray asks.
-class SharedSlopes {
- public:
-  SharedSlopes(std::shared_ptr<const Function> function, const Aabb& box, double limit)
-      : function_(std::move(function)), box_(box), limit_(limit) {}
-
-  bool is_of(const Aabb& box, double limit) const { return box.lo == box_.lo && box.hi == box_.hi && limit == limit_; }
-  const SlopeProof& proof() const {
-    std::call_once(made_, [&] { proof_.emplace(*function_, box_, limit_); });
-    return *proof_;
-  }
-
- private:
-  std::shared_ptr<const Function> function_;
-  Aabb box_;
-  double limit_;
-  mutable std::once_flag made_;
-  mutable std::optional<SlopeProof> proof_;
-};
-
-// The slopes of all isosurfaces of one function.
-class SlopesOfFunction {
- public:
-  std::shared_ptr<const SharedSlopes> of(const Isosurface& iso) const {
-    const Aabb box = iso.container.box();
-    for (const auto& slopes : known_)
-      if (slopes->is_of(box, iso.max_gradient)) return slopes;
-    known_.push_back(std::make_shared<const SharedSlopes>(iso.function, box, iso.max_gradient));
-    return known_.back();
-  }
-
- private:
-  mutable std::vector<std::shared_ptr<const SharedSlopes>> known_;  // grows while the scene is built, by one thread
-};
 
 // Parts: the surface, then the faces of the container.
 enum Part : std::uint32_t { kSurface, kFirstFace };
 
 class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
  public:
-  ImplicitSurface(const Isosurface& iso, const Transform& to_world, BuildContext& context)
-      : iso_(iso), accuracy_(depth_accuracy(iso.accuracy, iso.container, to_world)), to_world_(to_world) {
-    const void* key = iso.function.get();
-    auto known = std::static_pointer_cast<const SlopesOfFunction>(context.find_shared(key));
-    if (!known) context.store_shared(key, known = std::make_shared<const SlopesOfFunction>());
-    slopes_ = known->of(iso);
-  }
+  ImplicitSurface(const Isosurface& iso, const Transform& to_world) : iso_(iso), accuracy_(depth_accuracy(iso.accuracy, iso.container, to_world)), to_world_(to_world) {}
 
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
@@ -72,9 +25,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
     const double accuracy = accuracy_;
     double begin = std::max(0.0, passage.depths.lo);
     const double end = passage.depths.hi;
-    thread_local std::vector<Interval> doubtful;
-    slopes_->proof().doubtful(local, {begin, end}, doubtful);
-    Search search(*this, local, doubtful);
+    Search search{*this, local, glm::length(local.direction), iso_.max_gradient, 1};
     int count = 0;
     if (!iso_.open) {
       if (begin > accuracy) {
@@ -124,6 +75,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
     }
     return glm::normalize(to_world_.normal(n));
   }
+
  private:
   // Root search along one ray; `gradient` grows under `evaluate`.
   struct Search {
@@ -131,11 +83,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
     const Ray& ray;
     double length;  // of the direction
     double gradient;
-    double sign = 1;
-    const std::vector<Interval>& doubtful;  // where max_gradient is not proven to be a bound; elsewhere it is, or must be taken for one
-
-    Search(const ImplicitSurface& s, const Ray& r, const std::vector<Interval>& doubtful_depths)
-        : surface(s), ray(r), length(glm::length(r.direction)), gradient(s.iso_.max_gradient), doubtful(doubtful_depths) {}
+    double sign;
 
     double at(double t) const { return sign * surface.value(ray.at(t)); }
 
@@ -147,25 +95,6 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
       }
       if (const auto& e = surface.iso_.evaluate; e && gradient > (*e)[0]) gradient *= (*e)[2];
       return bisect(begin, f, at(end), end - begin, gradient * length * (end - begin), root);
-    }
-
-    bool trusted(double t1, double t2) const {
-      if (gradient < surface.iso_.max_gradient) return false;  // lowered by `evaluate`
-      return std::ranges::none_of(doubtful, [&](const Interval& d) { return d.lo < t2 && t1 < d.hi; });
-    }
-
-    // Whether the function certainly stays above zero between two points, by its enclosure over the stretch.
-    bool is_empty(double t1, double f1, double f2, double width) const {
-      Enclosure arguments[3];
-      for (int axis = 0; axis < 3; ++axis) {
-        const double d = ray.direction[axis], a = ray.origin[axis] + t1 * d, b = ray.origin[axis] + (t1 + width) * d;
-        arguments[axis] = {std::min(a, b), std::max(a, b), d, d};
-      }
-      Enclosure result;
-      if (!surface.iso_.function->enclose(arguments, result)) return true;  // nothing else is known than max_gradient
-      const double threshold = surface.iso_.threshold;
-      if (sign > 0 ? result.lo > threshold : result.hi < threshold) return true;
-      return f1 + f2 - result.steepest() * width >= 0;
     }
 
     // f1 and f2 are the values at both ends; m bounds how much the function can change between them.
@@ -182,7 +111,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
           m = gradient * length * width;
         }
       }
-      if (f1 + f2 - m >= 0 && (trusted(t1, t1 + width) || is_empty(t1, f1, f2, width))) return false;
+      if (f1 + f2 - m >= 0) return false;
       const double half = 0.5 * width;
       const double middle = t1 + half;
       const double f = at(middle);
@@ -195,13 +124,12 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
   Isosurface iso_;
   double accuracy_;  // along the ray
   Transform to_world_;
-  std::shared_ptr<const SharedSlopes> slopes_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Isosurface& isosurface, const Transform& to_world, BuildContext& context) {
-  return std::make_unique<ImplicitSurface>(isosurface, to_world, context);
+std::unique_ptr<Shape> build(const Isosurface& isosurface, const Transform& to_world, BuildContext&) {
+  return std::make_unique<ImplicitSurface>(isosurface, to_world);
 }
 
 }  // namespace lute

@@ -9,9 +9,7 @@
 // evaluate: raises max_gradient where steeper slopes are seen; every ray starts anew, so that the picture depends on nothing else.
 //
 // The ray's passage through the container is halved until the gradient bound proves a part empty or the part is shorter than the
-// accuracy: hits lie at binary fractions of the passage, as in the reference. Where max_gradient is not known to be enough
-// (engine/shape/slope_proof.hpp) a part counts as empty only if interval arithmetic proves it: too small a max_gradient makes no
-// holes, it costs time. Functions without enclosure (noise, patterns, pigments, splines) have nothing but max_gradient.
+// accuracy: hits lie at binary fractions of the passage, as in the reference.
 // Source: specification chapter 21 §8.
 #pragma once
 

@@ -175,6 +175,10 @@ ImagePtr ImageFiles::load(const std::string& path, const ImageFileOptions& optio
   const auto key = std::make_pair(path, options);
   if (const auto it = loaded_.find(key); it != loaded_.end()) return it->second;
   const std::string type = options.type.empty() ? image_type_of(path) : options.type;
+  if (type == "iff") {  // of the Amiga; what the format library takes for IFF is another format
+    error = "IFF files are not supported; convert it to PNG";
+    return nullptr;
+  }
   const std::shared_ptr<Image> image = make_image(path, type, options, error);
   if (image == nullptr) return nullptr;
   if (options.premultiplied) image->set_premultiplied(*options.premultiplied);

@@ -115,6 +115,24 @@ TEST_F(ImageFile, BrokenFilesAreErrors) {
   EXPECT_FALSE(error.empty());
 }
 
+TEST_F(ImageFile, IffIsSaidToBeUnsupported) {
+  const std::string file = path("picture.iff");
+  std::ofstream(file, std::ios::binary) << "FORM";
+  std::string error;
+  EXPECT_EQ(files_.load(file, {}, error), nullptr);
+  EXPECT_NE(error.find("IFF files are not supported"), std::string::npos) << error;
+}
+
+TEST_F(ImageFile, IsLoadedOnceForTheWholeScene) {
+  const std::string file = path("once.ppm");
+  std::ofstream(file, std::ios::binary) << "P6 1 1 255\nabc";
+  std::string error;
+  const ImagePtr first = files_.load(file, {}, error);
+  ASSERT_NE(first, nullptr) << error;
+  std::filesystem::remove(file);
+  EXPECT_EQ(files_.load(file, {}, error), first);
+}
+
 TEST(GammaCurve, DecodesWhatItEncodes) {
   for (const GammaCurve& curve : {GammaCurve::linear(), GammaCurve::srgb(), GammaCurve::power(2.2)})
     for (const float v : {0.0f, 0.01f, 0.5f, 1.0f}) EXPECT_NEAR(curve.decode(curve.encode(v)), v, 1e-6f);

@@ -25,6 +25,28 @@ constexpr std::uint32_t sobol_y(std::uint32_t index) {
   return result;
 }
 
+// The same with its bits reversed.
+constexpr std::uint32_t reversed_sobol_y(std::uint32_t index) {
+  std::uint32_t result = 0;
+  for (std::uint32_t direction = 1; index != 0; index >>= 1, direction ^= direction << 1) {
+    if (index & 1) result ^= direction;
+  }
+  return result;
+}
+
+// The bits of numbers of kDeepestLevel bits reversed.
+constexpr auto kReversedPrefix = [] {
+  std::array<std::uint8_t, 1 << SobolCells::kDeepestLevel> table{};
+  for (std::uint32_t v = 0; v < table.size(); ++v) {
+    table[v] = static_cast<std::uint8_t>(reversed(v) >> (kBits - SobolCells::kDeepestLevel));
+  }
+  return table;
+}();
+
+constexpr std::uint32_t reversed_prefix(std::uint32_t prefix, int level) {
+  return static_cast<std::uint32_t>(kReversedPrefix[prefix]) >> (SobolCells::kDeepestLevel - level);
+}
+
 // The cells of all lower levels.
 constexpr std::size_t cells_below(int level) { return ((std::size_t{1} << (2 * level)) - 1) / 3; }
 
@@ -63,15 +85,16 @@ std::uint32_t permuted(std::uint32_t v, std::uint32_t seed) {
   return v;
 }
 
-std::uint32_t scrambled(std::uint32_t v, std::uint32_t seed) { return reversed(permuted(reversed(v), seed)); }
+// Of the number whose bits are those of `v` reversed.
+std::uint32_t scrambled(std::uint32_t v, std::uint32_t seed) { return reversed(permuted(v, seed)); }
 
 // The first `level` bits that are scrambled to the first `level` bits `prefix`, bit after bit.
 std::uint32_t unscrambled_prefix(std::uint32_t prefix, int level, std::uint32_t seed) {
   if (level == 0) return 0;
-  const std::uint32_t wanted = reversed(prefix << (kBits - level));
+  const std::uint32_t wanted = reversed_prefix(prefix, level);
   std::uint32_t bits = 0;
   for (int bit = 0; bit < level; ++bit) bits ^= (permuted(bits, seed) ^ wanted) & (1u << bit);
-  return reversed(bits) >> (kBits - level);
+  return reversed_prefix(bits, level);
 }
 
 std::uint64_t mixed(std::uint64_t z) {  // splitmix64
@@ -94,7 +117,7 @@ dvec2 SobolCells::point(int level, int column, int row) const {
   const std::uint32_t index =
       kCellIndex.of(level, unscrambled_prefix(static_cast<std::uint32_t>(column), level, seed_x_),
                     unscrambled_prefix(static_cast<std::uint32_t>(row), level, seed_y_));
-  return {scrambled(reversed(index), seed_x_) * 0x1p-32, scrambled(sobol_y(index), seed_y_) * 0x1p-32};
+  return {scrambled(index, seed_x_) * 0x1p-32, scrambled(reversed_sobol_y(index), seed_y_) * 0x1p-32};
 }
 
 }  // namespace lute

@@ -169,8 +169,8 @@ struct Group : x3::parser<Group> {
   bool parse(It& first, It const& last, C const& context, R& rcontext, A& attribute) const {
     if (!first->is(TokenKind::kLeftParen)) return false;
     const Nesting nesting(first.state());
-    static const auto group = tok<TokenKind::kLeftParen> > freely(full);
-    group.parse(first, last, context, rcontext, attribute);
+    static const auto group = tok<TokenKind::kLeftParen> >> freely(full);
+    if (!group.parse(first, last, context, rcontext, attribute)) first.state().fail_expected("numeric expression", *first);
     if (!first->is(TokenKind::kRightParen)) first.state().fail_expected(")", *first);
     ++first;
     return true;

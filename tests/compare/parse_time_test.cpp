@@ -47,9 +47,9 @@ TEST(ParseTimes, AreComparedWhereBothRead) {
 
 TEST(PageSection, IsReplaced) {
   const std::string page = "head\n<!-- lute-compare parse: begin -->\nold\n<!-- lute-compare parse: end -->\ntail\n";
-  EXPECT_EQ(with_section(page, "lute-compare parse", "new\n"),
+  EXPECT_EQ(with_section(page, "parse", "new\n"),
             "head\n<!-- lute-compare parse: begin -->\nnew\n<!-- lute-compare parse: end -->\ntail\n");
-  EXPECT_THROW(with_section("head\n", "lute-compare parse", "new\n"), std::runtime_error);
+  EXPECT_THROW(with_section("head\n", "parse", "new\n"), std::runtime_error);
 }
 
 }  // namespace

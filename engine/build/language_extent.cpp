@@ -125,6 +125,11 @@ std::optional<Aabb> half_space(const Object& object, bool inverted) {
   return std::nullopt;
 }
 
+bool is_quadric(const Object& object) {
+  const auto* shape = std::get_if<AnyShape>(&object.geometry);
+  return shape != nullptr && std::holds_alternative<Quadric>(*shape);
+}
+
 Aabb csg_box(const Csg& csg, const TightBox& tight_box) {
   if (csg.operation == CsgOperation::kUnion || csg.operation == CsgOperation::kMerge || csg.operation == CsgOperation::kLightGroup) {
     Aabb box;
@@ -134,11 +139,18 @@ Aabb csg_box(const Csg& csg, const TightBox& tight_box) {
     return stored(box);
   }
   Aabb box = everything();
+  bool quadrics = false;  // are bounded within the others
   for (std::size_t i = 0; i < csg.children.size(); ++i) {
     const Object& child = *csg.children[i];
     const bool inverted = child.inverse != (csg.operation == CsgOperation::kDifference && i > 0);
     if (const auto half = half_space(child, inverted)) box = box.intersection(*half);
     else if (!inverted) box = box.intersection(language_extent(child, tight_box));
+    quadrics = quadrics || (!inverted && is_quadric(child));
+  }
+  if (quadrics && infinite(box)) {
+    Object bare;
+    bare.geometry = csg;
+    box = box.intersection(tight_box(bare));
   }
   return stored(box);
 }

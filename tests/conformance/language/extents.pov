@@ -27,6 +27,7 @@ global_settings { assumed_gamma 1 }
 #declare O = intersection { sphere { 0, 1 } box { 0, 2 } } E("intersection", O)
 #declare O = intersection { sphere { 0, 1 } plane { y, .3 } } E("with plane", O)
 #declare O = intersection { sphere { 0, 1 } plane { y, .3 translate .2*y } } E("with moved plane", O)
+#declare O = intersection { quadric { <1, 0, 1>, 0, 0, -1 } plane { y, 1 } plane { -y, 1 } } E("quadric between planes", O)
 #declare O = difference { box { -1, 1 } plane { y, .3 } } E("without half space", O)
 #declare O = difference { box { -1, 1 } plane { x + y, .3 } } E("without slanted half space", O)
 #declare O = difference { cone { 0, 1, y, .5 } cylinder { -y, 2*y, .3 } rotate <20, 30, 40> } E("turned difference", O)

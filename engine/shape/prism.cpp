@@ -69,6 +69,13 @@ struct PrismSegment {
   PlanarSegment curve;
   Interval x, z;
   dvec2 from, to;
+  Roots<2> turns;  // where z turns within the segment
+};
+
+// The rectangle of x and z in which a ray may meet sides.
+struct Section {
+  Interval x, z;
+  bool meets(const PrismSegment& s) const { return s.x.lo <= x.hi && s.x.hi >= x.lo && s.z.lo <= z.hi && s.z.hi >= z.lo; }
 };
 
 enum Part : std::uint32_t { kCaps, kFirstSegment };
@@ -85,7 +92,9 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     degree_ = prism.spline == PlanarSpline::kLinear ? 1 : prism.spline == PlanarSpline::kQuadratic ? 2 : 3;
     x_ = z_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const PlanarSegment& curve : prism_outline(prism).segments) {
-      segments_.push_back({curve, curve.range(0), curve.range(1), curve.at(0), curve.at(1)});
+      segments_.push_back({curve, curve.range(0), curve.range(1), curve.at(0), curve.at(1), {}});
+      const std::array<double, 4> z = curve.coefficients(1);
+      if (degree_ > 1) segments_.back().turns = solve_quadratic({z[1], 2 * z[2], 3 * z[3]}, {0, 1});
       x_ = {std::min(x_.lo, segments_.back().x.lo), std::max(x_.hi, segments_.back().x.hi)};
       z_ = {std::min(z_.lo, segments_.back().z.lo), std::max(z_.hi, segments_.back().z.hi)};
     }
@@ -107,7 +116,9 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
         if (in_section(p.x, p.z, height)) sink(t / length, kCaps);
       }
     }
+    const Section passage = section_between(local, low_, high_);
     for (std::size_t i = 0; i < segments_.size(); ++i) {
+      if (!passage.meets(segments_[i])) continue;
       const auto emit = [&](double t, double w) {
         const double y = local.origin.y + t * dy;
         if (y >= low_ && y <= high_)
@@ -172,6 +183,18 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     return near <= far;
   }
 
+  // Where the ray is between two heights, a little widened; of a cone or a level ray everywhere.
+  Section section_between(const Ray& ray, double low, double high) const {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    if (conic_ || std::abs(ray.direction.y) < kEpsilon) return {{-kFar, kFar}, {-kFar, kFar}};
+    const dvec3 a = ray.at((low - ray.origin.y) / ray.direction.y), b = ray.at((high - ray.origin.y) / ray.direction.y);
+    const auto around = [](double p, double q, const Interval& all) {
+      const double slack = 1e-9 * (all.hi - all.lo + std::abs(p) + std::abs(q));
+      return Interval{std::min(p, q) - slack, std::max(p, q) + slack};
+    };
+    return {around(a.x, b.x, x_), around(a.z, b.z, z_)};
+  }
+
   // Gives segments that meet the same corner, to the last bit.
   void join_corners() {
     for (std::size_t i = 0, start = 0; i < segments_.size(); ++i) {
@@ -205,8 +228,7 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
         }
         from = to;
       };
-      if (degree_ > 1)
-        for (const double turn : solve_quadratic({c[1], 2 * c[2], 3 * c[3]}, {0, 1})) cross_until(turn);
+      for (const double turn : segment.turns) cross_until(turn);
       cross_until(1);
     }
     return odd;

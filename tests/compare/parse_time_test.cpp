@@ -4,7 +4,6 @@
 
 #include <sstream>
 
-#include "compare/page_section.hpp"
 
 namespace lute::compare {
 namespace {
@@ -43,13 +42,6 @@ TEST(ParseTimes, AreComparedWhereBothRead) {
   EXPECT_EQ(table.str().find("rejected"), std::string::npos);
   write_rejections(rejections, times);
   EXPECT_NE(rejections.str().find("| rejected | a.pov:1 | the same place |"), std::string::npos);
-}
-
-TEST(PageSection, IsReplaced) {
-  const std::string page = "head\n<!-- lute-compare parse: begin -->\nold\n<!-- lute-compare parse: end -->\ntail\n";
-  EXPECT_EQ(with_section(page, "parse", "new\n"),
-            "head\n<!-- lute-compare parse: begin -->\nnew\n<!-- lute-compare parse: end -->\ntail\n");
-  EXPECT_THROW(with_section("head\n", "parse", "new\n"), std::runtime_error);
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // Patterns with their parameters, and warps.
+#include <type_traits>
+
 #include "engine/function/function.hpp"
 #include "parser/dump/values.hpp"
 
@@ -15,9 +17,9 @@ Json fractal(const FractalSettings& p) {
           {"interior", {p.interior_type, p.interior_factor}}};
 }
 
-// A pattern without parameters has none to show.
 template <class Pattern>
 Json parameters(const Pattern&) {
+  static_assert(std::is_empty_v<Pattern>, "a pattern shows its parameters");
   return Json::object();
 }
 Json parameters(const Agate& p) { return {{"agate_turb", single(p.turbulence)}}; }
@@ -27,6 +29,10 @@ Json parameters(const Crackle& p) {
 }
 Json parameters(const DensityFile& p) { return {{"interpolate", p.interpolate}}; }
 Json parameters(const Facets& p) { return {{"size", single(p.size)}, {"coords", single(p.coords)}, {"metric", p.metric}}; }
+// An expression has no text any more.
+Json parameters(const FunctionPattern& p) {
+  return {{"parameters", p.function->parameter_count()}, {"results", p.function->result_count()}};
+}
 Json parameters(const Gradient& p) { return {{"direction", to_json(p.direction)}}; }
 Json parameters(const Quilted& p) { return {{"control0", single(p.control0)}, {"control1", single(p.control1)}}; }
 Json parameters(const Spiral1& p) { return {{"arms", p.arms}}; }

@@ -2,15 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include "engine/build/geometry_answers.hpp"
 #include "engine/texture/texture_functions.hpp"
+#include "tests/golden.hpp"
 #include "tests/parser/read_text.hpp"
 
 namespace lute::test {
@@ -20,18 +19,13 @@ const std::string kFolder = LUTE_SOURCE_DIR "/tests/parser/diagnostic/errors";
 const std::string kGolden = LUTE_SOURCE_DIR "/tests/parser/diagnostic/errors.golden";
 constexpr std::string_view kSceneMark = "==== scene\n", kSaysMark = "---- says\n";
 
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 struct Golden {
   std::string head;
   std::vector<std::pair<std::string, std::string>> cases;  // scene, what is said
 };
 
 Golden read_golden() {
-  const std::string text = content(kGolden);
+  const std::string text = file_text(kGolden);
   Golden golden;
   std::size_t at = text.find(kSceneMark);
   golden.head = text.substr(0, at);
@@ -78,11 +72,10 @@ std::string said_about(const std::string& scene) {
 TEST(ErrorMessages, AreAsRecorded) {
   Golden golden = read_golden();
   ASSERT_GT(golden.cases.size(), 200u);
-  if (std::getenv("LUTE_UPDATE_GOLDEN") != nullptr) {
-    std::ofstream out(kGolden, std::ios::binary);
-    out << golden.head;
-    for (const auto& [scene, says] : golden.cases) out << kSceneMark << scene << kSaysMark << said_about(scene);
-    GTEST_SKIP() << "wrote " << kGolden;
+  if (golden_is_renewed()) {
+    std::string text = golden.head;
+    for (const auto& [scene, says] : golden.cases) text.append(kSceneMark).append(scene).append(kSaysMark).append(said_about(scene));
+    return renew_golden(kGolden, text);
   }
   for (const auto& [scene, says] : golden.cases) {
     EXPECT_NE(says, "") << scene;
@@ -108,7 +101,7 @@ std::set<std::string> messages_in_sources() {
   std::set<std::string> messages;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(LUTE_SOURCE_DIR "/parser")) {
     if (entry.path().extension() != ".cpp") continue;
-    const std::string text = content(entry.path().string());
+    const std::string text = file_text(entry.path());
     for (std::sregex_iterator found(text.begin(), text.end(), call), end; found != end; ++found) messages.insert((*found)[1]);
   }
   return messages;

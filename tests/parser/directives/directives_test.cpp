@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include "tests/file_text.hpp"
 #include "tests/parser/read_text.hpp"
 
 namespace lute::test {
@@ -133,10 +134,7 @@ class UserFiles : public ::testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
-  std::string content(const std::string& name) const {
-    std::ifstream in(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  std::string content(const std::string& name) const { return file_text(path(name)); }
 
  private:
   std::filesystem::path folder_;

@@ -1,0 +1,1 @@
+﻿sphere é box

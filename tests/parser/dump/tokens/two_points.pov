@@ -1,0 +1,1 @@
+sphere 1.2.3 box

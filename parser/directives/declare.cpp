@@ -225,6 +225,55 @@ void end_declaration(Session& session, bool numeric) {
   if (session.language.version >= 310) session.possible_error(message, "missing-semicolon");
 }
 
+// What a #declare gives a value to: an identifier, or an element of the array that it is.
+struct DeclareTarget {
+  NameId id = 0;
+  std::uint32_t table = 0;  // the scope of the identifier
+  ArrayPtr array;           // null: the identifier itself
+  Slot element;
+};
+
+DeclareTarget read_target(Session& session, const Item& name, bool local) {
+  const bool undeclared = name.is(TokenKind::kName);
+  if (!undeclared && (!name.is(TokenKind::kIdentifier) || name.slot->holds<MacroPtr>())) {
+    session.fail_expected("undeclared identifier", name);
+  }
+  DeclareTarget target;
+  target.id = name.token.index;
+  // The scope is that of the directive, not that of a macro whose call is the value and which has not ended yet.
+  target.table = session.symbols.newest();
+  if (!local) {
+    const SymbolTable::Entry* known = session.symbols.find(target.id);
+    target.table = known != nullptr ? known->table : 0;
+  }
+  if (undeclared) return target;
+  target.element = name.slot;
+  std::uint8_t subscripts = 0;
+  while (target.element->holds<ArrayPtr>() && session.stream.at_written(TokenKind::kLeftSquare)) {
+    target.array = *target.element->get_if<ArrayPtr>();
+    target.element = select_element(session, target.array, subscripts);
+  }
+  return target;
+}
+
+void store(Session& session, const DeclareTarget& target, Slot value, std::shared_ptr<Deprecation> deprecation) {
+  if (target.array) {
+    set_element(session, *target.array, *target.element, std::move(*value));
+    return;
+  }
+  const std::uint32_t table = std::min(target.table, session.symbols.newest());  // the value may have ended the scope
+  SymbolTable::Entry* entry = session.symbols.find_in(target.id, table);
+  if (entry != nullptr) {
+    assign(session, *entry->slot, std::move(*value));
+  } else {
+    Value fresh;
+    assign(session, fresh, std::move(*value));
+    *value = std::move(fresh);
+    entry = &session.symbols.add(target.id, table, std::move(value));
+  }
+  if (deprecation) entry->deprecation = std::move(deprecation);
+}
+
 }  // namespace
 
 void run_declare(Session& session, bool local) {
@@ -232,58 +281,21 @@ void run_declare(Session& session, bool local) {
   const Token* const keyword = stream.last_token;
   std::shared_ptr<Deprecation> deprecation = parse_deprecation(session);
   const Item name = stream.take_raw();
-  const bool undeclared = name.is(TokenKind::kName);
-  if (!undeclared && (!name.is(TokenKind::kIdentifier) || name.slot->holds<MacroPtr>())) {
-    session.fail_expected("undeclared identifier", name);
-  }
-  const NameId id = name.token.index;
-  // The scope is that of the directive, not that of a macro whose call is the value and which has not ended yet.
-  std::uint32_t table = session.symbols.newest();
-  if (!local) {
-    const SymbolTable::Entry* known = session.symbols.find(id);
-    table = known != nullptr ? known->table : 0;
-  }
+  const DeclareTarget target = read_target(session, name, local);
   if (deprecation && deprecation->message.empty()) {
-    deprecation->message = "Identifier '" + std::string(session.names.text(id)) + "' was declared deprecated.";
-  }
-
-  // An element of an array.
-  ArrayPtr array;
-  Slot element;
-  if (!undeclared) {
-    element = name.slot;
-    std::uint8_t subscripts = 0;
-    while (element->holds<ArrayPtr>() && stream.at_written(TokenKind::kLeftSquare)) {
-      array = *element->get_if<ArrayPtr>();
-      element = select_element(session, array, subscripts);
-    }
+    deprecation->message = "Identifier '" + std::string(session.names.text(target.id)) + "' was declared deprecated.";
   }
   const Item equals = stream.take_raw();
   if (!equals.is(TokenKind::kEqual)) session.fail_expected("=", equals);
   ParsedValue value = parse_value(session, ValueUse::kDeclare);
   end_declaration(session, value.numeric);
-  if (value.numeric && !array && keyword + 1 == name.source && name.source + 1 == equals.source) {
+  if (value.numeric && !target.array && keyword + 1 == name.source && name.source + 1 == equals.source) {
     KnownDirective known;
     known.word = local ? Word::kLocal : Word::kDeclare;
-    known.name = id;
+    known.name = target.id;
     remember_directive(session, keyword - 1, known, equals.source + 1, TokenKind::kSemicolon);
   }
-
-  if (array) {
-    set_element(session, *array, *element, std::move(*value.slot));
-    return;
-  }
-  table = std::min(table, session.symbols.newest());  // the value may have ended the scope
-  SymbolTable::Entry* entry = session.symbols.find_in(id, table);
-  if (entry != nullptr) {
-    assign(session, *entry->slot, std::move(*value.slot));
-  } else {
-    Value fresh;
-    assign(session, fresh, std::move(*value.slot));
-    *value.slot = std::move(fresh);
-    entry = &session.symbols.add(id, table, std::move(value.slot));
-  }
-  if (deprecation) entry->deprecation = std::move(deprecation);
+  store(session, target, std::move(value.slot), std::move(deprecation));
 }
 
 void run_undef(Session& session) {

@@ -4,7 +4,11 @@
 // To add a primitive, write `engine/shape/<name>.{hpp,cpp}` with
 //   * a plain struct, its description as the scene file says it, with `static constexpr std::string_view kKeyword`;
 //   * `std::unique_ptr<Shape> build(const Name&, const Transform& to_world, BuildContext&)`;
-// and its line in `engine/shape/table.hpp`. See sphere.hpp for a small one.
+// and add
+//   * its include and its alternative to `engine/shape/table.hpp`;
+//   * a parser to one of `parser/statement/*_shape.{hpp,cpp}`, and its line in kPrimitives (`parser/statement/primitive.cpp`);
+//   * `fields(const Name&)` to `parser/dump/shape.cpp`, which does not compile without.
+// A test says so if a keyword is missing from the parser. See sphere.hpp for a small one.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The table of primitives: one line each. The scene description, the statement parser, the builder and the coverage table all
-// go through it.
+// The primitives of the engine: one line each. The scene description, the plan and the builder go through this variant. What the parser
+// needs beside it is named at the head of engine/shape/shape.hpp.
 #pragma once
 
 #include <variant>

@@ -1,5 +1,6 @@
 // The table of primitives: keyword and parser. A parser reads what stands between the brace and the object modifiers.
-// To add a shape: its line in engine/shape/table.hpp, its parser, its line in primitive.cpp.
+// Some keywords make the same shape (cubic, poly, ...), so there are more than alternatives of AnyShape. To add a shape, see
+// engine/shape/shape.hpp.
 // Source: specification chapters 11 §7, 20 §5 and 21.
 #pragma once
 

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "app/console.hpp"
+#include "app/interrupt.hpp"
 #include "app/statistics.hpp"
 #include "engine/build/built_scene.hpp"
 #include "parser/options/frames.hpp"
 
 namespace lute {
 
-enum class ExitCode : int { kDone = 0, kFailed = 1, kUsage = 2, kInterrupted = 130 };
+enum class ExitCode : int { kDone = 0, kFailed = 1, kUsage = 2, kInterrupted = kInterruptedExit };
 
 // Parses the scene of a frame and tells what is wrong with it. `text` replaces the file's content (standard input).
 ParseResult parse_frame(const RenderOptions& options, const Frame& frame, const std::optional<std::string>& text,

@@ -1,15 +1,13 @@
-// What `lute --explain` says about twenty scenes, word for word: tests/app/explain/NAME.txt. LUTE_UPDATE_GOLDEN=1
-// writes the files anew; read the difference before you keep it.
+// What `lute --explain` says about twenty scenes, word for word: tests/app/explain/NAME.txt
+// (renewed as tests/golden.hpp says).
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <ostream>
 
 #include "compare/process.hpp"
 #include "compare/scratch_folder.hpp"
+#include "tests/golden.hpp"
 
 namespace lute {
 namespace {
@@ -38,11 +36,6 @@ const Explained kScenes[] = {
     {"lecture/torus.pov"},           {"lecture/torus.pov", {"+Q3"}},  {"lecture/torus.pov", {"+A"}},
     {"lecture/torus.pov", {"+AM3"}}, {"lecture/torus.pov", {"+UA"}},  {"showcase/lute.pov"}};
 
-std::string content(const fs::path& path) {
-  std::ifstream file(path);
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
 class Explain : public testing::TestWithParam<Explained> {};
 
 TEST_P(Explain, SaysWhatItSaid) {
@@ -54,10 +47,8 @@ TEST_P(Explain, SaysWhatItSaid) {
   request.working_directory = scene.parent_path();
   request.standard_output = folder.path() / "plan";
   ASSERT_TRUE(compare::run_process(request).succeeded());
-  const std::string plan = content(request.standard_output);
   const fs::path golden = fs::path(LUTE_SOURCE_DIR) / "tests" / "app" / "explain" / (name_of(GetParam()) + ".txt");
-  if (std::getenv("LUTE_UPDATE_GOLDEN") != nullptr) std::ofstream(golden) << plan;
-  EXPECT_EQ(plan, content(golden)) << golden;
+  test::expect_golden(golden, test::file_text(request.standard_output));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Explain, testing::ValuesIn(kScenes), [](const auto& test) {

@@ -8,18 +8,14 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <iterator>
 #include <thread>
+
+#include "tests/file_text.hpp"
 
 namespace lute {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string file_content(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
 
 [[noreturn]] void become(const std::string& program, const std::vector<std::string>& arguments,
                          const fs::path& scratch) {
@@ -65,8 +61,8 @@ LuteRun run_lute(const std::vector<std::string>& arguments, const std::string& i
   LuteRun run;
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  run.out = file_content(scratch / "out");
-  run.error = file_content(scratch / "error");
+  run.out = test::file_text(scratch / "out");
+  run.error = test::file_text(scratch / "error");
   fs::remove_all(scratch);
   return run;
 }
@@ -84,7 +80,7 @@ void LuteFolder::write(const std::string& name, const std::string& text) const {
   std::ofstream(folder_ / name, std::ios::binary) << text;
 }
 
-std::string LuteFolder::content(const std::string& name) const { return file_content(folder_ / name); }
+std::string LuteFolder::content(const std::string& name) const { return test::file_text(folder_ / name); }
 
 std::vector<std::string> LuteFolder::files() const {
   std::vector<std::string> names;

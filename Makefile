@@ -46,9 +46,11 @@ compare: setup-test build
 
 bench: setup-bench build/build.ninja
 	@cmake --preset release -DLUTE_BUILD_BENCH=ON >/dev/null
-	@cmake --build build --target lute-bench-accel lute-bench-noise
+	@cmake --build build --target lute-bench-accel lute-bench-noise lute lute-compare
 	@build/bin/lute-bench-accel --benchmark_min_time=1
 	@build/bin/lute-bench-noise --benchmark_min_time=1
+	@build/bin/lute-compare speed bench/scene --timeout 300 --into docs/shapes.md
+	@bench/memory.sh
 
 # Every test under the sanitizers of addresses and undefined behaviour (half an hour). Their stack frames are several times as large, and
 # what they keep of freed memory counts against the limit of a scene.

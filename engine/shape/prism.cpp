@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/math/polynomial.hpp"
-#include "engine/math/root_walk.hpp"
 #include "engine/shape/scanned_shape.hpp"
 
 namespace lute {
@@ -70,7 +69,26 @@ struct PrismSegment {
   Interval x, z;
   dvec2 from, to;
   Roots<2> turns;  // where z turns within the segment
+  std::array<dvec2, 4> controls;  // the segment lies in the hull of these: its Bézier points
+
+  // Whether all of the hull lies on one side of the line k.x x + k.y z + k.z = 0.
+  bool is_beside(const dvec3& k) const {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const dvec2& c : controls) {
+      const double side = k.x * c.x + k.y * c.y + k.z;
+      least = std::min(least, side);
+      most = std::max(most, side);
+    }
+    const double slack = 1e-9 * (most - least);
+    return least > slack || most < -slack;
+  }
 };
+
+// The Bézier points of a cubic over [0, 1], from its coefficients.
+std::array<double, 4> bezier_points(const std::array<double, 4>& c) {
+  const double first = c[0] + c[1] / 3, second = first + (c[1] + c[2]) / 3;
+  return {c[0], first, second, c[0] + c[1] + c[2] + c[3]};
+}
 
 // The rectangle of x and z in which a ray may meet sides.
 struct Section {
@@ -92,8 +110,10 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     degree_ = prism.spline == PlanarSpline::kLinear ? 1 : prism.spline == PlanarSpline::kQuadratic ? 2 : 3;
     x_ = z_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const PlanarSegment& curve : prism_outline(prism).segments) {
-      segments_.push_back({curve, curve.range(0), curve.range(1), curve.at(0), curve.at(1), {}});
+      segments_.push_back({curve, curve.range(0), curve.range(1), curve.at(0), curve.at(1), {}, {}});
       const std::array<double, 4> z = curve.coefficients(1);
+      const std::array<double, 4> control_x = bezier_points(curve.coefficients(0)), control_z = bezier_points(z);
+      for (std::size_t i = 0; i < 4; ++i) segments_.back().controls[i] = {control_x[i], control_z[i]};
       if (degree_ > 1) segments_.back().turns = solve_quadratic({z[1], 2 * z[2], 3 * z[3]}, {0, 1});
       x_ = {std::min(x_.lo, segments_.back().x.lo), std::max(x_.hi, segments_.back().x.hi)};
       z_ = {std::min(z_.lo, segments_.back().z.lo), std::max(z_.hi, segments_.back().z.hi)};
@@ -113,7 +133,7 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
       for (const double height : {high_, low_}) {
         const double t = (height - local.origin.y) / dy;
         const dvec3 p = local.at(t);
-        if (in_section(p.x, p.z, height)) sink(t / length, kCaps);
+        if (in_section(p.x, p.z, height) && sink(t / length, kCaps)) return;
       }
     }
     const Section passage = section_between(local, low_, high_);
@@ -121,14 +141,10 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
       if (!passage.meets(segments_[i])) continue;
       const auto emit = [&](double t, double w) {
         const double y = local.origin.y + t * dy;
-        if (y >= low_ && y <= high_)
-          sink(t / length, kFirstSegment + static_cast<std::uint32_t>(i), std::array<double, 3>{w, 0, 0});
+        return y >= low_ && y <= high_ &&
+               sink(t / length, kFirstSegment + static_cast<std::uint32_t>(i), std::array<double, 3>{w, 0, 0});
       };
-      if (conic_) {
-        scan_conic_side(segments_[i], local, emit);
-      } else {
-        scan_side(segments_[i], local, emit);
-      }
+      if (conic_ ? scan_conic_side(segments_[i], local, emit) : scan_side(segments_[i], local, emit)) return;
     }
   }
 
@@ -234,69 +250,67 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     return odd;
   }
 
+  // These return true as soon as emit() does: the ray needs no more hits.
   template <class Emit>
-  void scan_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
+  bool scan_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
     const dvec3& p = ray.origin;
     const dvec3& d = ray.direction;
-    if (std::abs(d.x) <= kEpsilon && std::abs(d.z) <= kEpsilon) return;
+    if (std::abs(d.x) <= kEpsilon && std::abs(d.z) <= kEpsilon) return false;
     if (degree_ == 1) return scan_straight_side(segment, ray, emit);
-    // The four corners of the segment's rectangle on one side of the ray's line: no hit.
-    const auto side = [&](double x, double z) { return d.z * (x - p.x) - d.x * (z - p.z); };
-    const double s[] = {side(segment.x.lo, segment.z.lo), side(segment.x.hi, segment.z.lo), side(segment.x.lo, segment.z.hi),
-                        side(segment.x.hi, segment.z.hi)};
-    const auto [least, most] = std::minmax_element(std::begin(s), std::end(s));
-    const double slack = 1e-9 * (*most - *least);
-    if (*least > slack || *most < -slack) return;
+    if (segment.is_beside({d.z, -d.x, d.x * p.z - d.z * p.x})) return false;
     const std::array<double, 4> x = segment.curve.coefficients(0);
     const std::array<double, 4> z = segment.curve.coefficients(1);
     std::array<double, 4> c;
     for (std::size_t i = 0; i < 4; ++i) c[i] = d.z * x[i] - d.x * z[i];
     c[0] -= d.z * p.x - d.x * p.z;
-    walk_roots(c, kSegment, [&](double root) {
+    for (const double root : roots_of(c)) {
       const double w = std::clamp(root, 0.0, 1.0);
       const dvec2 at = segment.curve.at(w);
-      emit(std::abs(d.x) > std::abs(d.z) ? (at.x - p.x) / d.x : (at.y - p.z) / d.z, w);
-      return false;
-    });
+      if (emit(std::abs(d.x) > std::abs(d.z) ? (at.x - p.x) / d.x : (at.y - p.z) / d.z, w)) return true;
+    }
+    return false;
   }
 
   // A straight segment is hit where its ends lie on different sides of the ray's line; what lies on the line counts with one of
   // them. Segments that meet compute the same number for the corner they share, so that a ray through it hits exactly one of them,
   // or none or both where the outline only touches the line, and of two prisms side by side exactly one.
   template <class Emit>
-  void scan_straight_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
+  bool scan_straight_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
     const dvec3& p = ray.origin;
     const dvec3& d = ray.direction;
     const auto side = [&](const dvec2& at) { return d.z * (at.x - p.x) - d.x * (at.y - p.z); };
     const double from = side(segment.from), to = side(segment.to);
-    if ((from >= 0) == (to >= 0)) return;
+    if ((from >= 0) == (to >= 0)) return false;
     const double w = from / (from - to);
     const dvec2 at = segment.from + w * (segment.to - segment.from);
-    emit(std::abs(d.x) > std::abs(d.z) ? (at.x - p.x) / d.x : (at.y - p.z) / d.z, w);
+    return emit(std::abs(d.x) > std::abs(d.z) ? (at.x - p.x) / d.x : (at.y - p.z) / d.z, w);
   }
 
   template <class Emit>
-  void scan_conic_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
+  bool scan_conic_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
     const dvec3& p = ray.origin;
     const dvec3& d = ray.direction;
     const double k1 = p.z * d.y - p.y * d.z;
     const double k2 = p.y * d.x - p.x * d.y;
     const double k3 = p.x * d.z - p.z * d.x;
+    if (segment.is_beside({k1, k2, k3})) return false;
     const std::array<double, 4> x = segment.curve.coefficients(0);
     const std::array<double, 4> z = segment.curve.coefficients(1);
     std::array<double, 4> c;
     for (std::size_t i = 0; i < 4; ++i) c[i] = k1 * x[i] + k2 * z[i];
     c[0] += k3;
-    walk_roots(c, kSegment, [&](double root) {
+    for (const double root : roots_of(c)) {
       const double w = std::clamp(root, 0.0, 1.0);
       const dvec2 at = segment.curve.at(w);
       const double by_x = d.x - at.x * d.y;
       const double by_z = d.z - at.y * d.y;
-      if (std::max(std::abs(by_x), std::abs(by_z)) > kEpsilon)
-        emit(std::abs(by_x) > std::abs(by_z) ? (at.x * p.y - p.x) / by_x : (at.y * p.y - p.z) / by_z, w);
-      return false;
-    });
+      if (std::max(std::abs(by_x), std::abs(by_z)) <= kEpsilon) continue;
+      if (emit(std::abs(by_x) > std::abs(by_z) ? (at.x * p.y - p.x) / by_x : (at.y * p.y - p.z) / by_z, w)) return true;
+    }
+    return false;
   }
+
+  Roots<3> roots_of(const std::array<double, 4>& c) const { return solve_cubic(c, kSegment); }
 
   std::vector<PrismSegment> segments_;
   int degree_ = 1;

@@ -13,6 +13,42 @@ bool inside_all(const SharedSolids& solids, const dvec3& point) {
   return std::ranges::all_of(solids, [&](const auto& solid) { return solid->inside(point); });
 }
 
+namespace {
+
+// The same for one solid: from its first stretch inside to its last one.
+Interval range_inside(const Solid& solid, const Ray& ray, Interval range) {
+  thread_local Hits hits;
+  const std::size_t first = hits.size();
+  solid.hits(ray, range, RayKind{}, hits);
+  std::sort(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), [](const Hit& a, const Hit& b) { return a.t < b.t; });
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Interval inside{kInfinity, -kInfinity};
+  double from = range.lo;
+  for (std::size_t i = first; i <= hits.size(); ++i) {
+    const double to = i < hits.size() ? hits[i].t : range.hi;
+    const double middle = std::isinf(to) ? from + 1 + std::abs(from) : 0.5 * (from + to);
+    if (solid.inside(ray.at(middle))) inside = {std::min(inside.lo, from), std::max(inside.hi, to)};
+    from = to;
+  }
+  hits.resize(first);
+  return inside;
+}
+
+}  // namespace
+
+Interval range_inside_all(const SharedSolids& solids, const Ray& ray, Interval range) {
+  for (const auto& solid : solids) {
+    const Interval inside = range_inside(*solid, ray, range);
+    if (inside.empty()) return inside;
+    // Inside tests have tolerances: what lies on a border is theirs to judge.
+    constexpr double kSlack = 1e-6;
+    range.lo = std::max(range.lo, inside.lo - kSlack * (1 + std::abs(inside.lo)));
+    range.hi = std::min(range.hi, inside.hi + kSlack * (1 + std::abs(inside.hi)));
+    if (range.empty()) break;
+  }
+  return range;
+}
+
 bool meets_all(const SharedSolids& bounds, const Ray& ray) {
   constexpr Interval kAhead{1e-4, std::numeric_limits<double>::infinity()};
   return std::ranges::all_of(bounds, [&](const auto& bound) {

@@ -46,6 +46,9 @@ bool inside_all(const SharedSolids& solids, const dvec3& point);
 // True if the ray meets or starts inside every bound.
 bool meets_all(const SharedSolids& bounds, const Ray& ray);
 
+// The part of `range` outside of which no point of the ray is inside all of them; empty if none is.
+Interval range_inside_all(const SharedSolids& solids, const Ray& ray, Interval range);
+
 // Around the points of `region` that are inside all of them.
 Aabb inside_all_within(const SharedSolids& solids, Aabb region);
 

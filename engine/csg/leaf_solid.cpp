@@ -40,12 +40,14 @@ LeafSolid::LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips, SharedSolid
   if (bound_test == BoundTest::kBoxOnly) bounds_.clear();
   plain_ = clips_.empty() && bounds_.empty() && !box_cuts_;
   patch_ = shape_->is_patch();
+  asks_clips_first_ = shape_->prefers_clipped_range() && !clips_.empty();
 }
 
 void LeafSolid::hits(const Ray& ray, Interval range, RayKind, Hits& out) const {
   if (!plain_) {
     if (box_cuts_ && !meets_box(ray, {0, range.hi}, box)) return;
     if (!meets_all(bounds_, ray)) return;
+    if (asks_clips_first_ && (range = range_inside_all(clips_, ray, range)).empty()) return;
   }
   thread_local ShapeHits found;
   const std::size_t first = found.size();

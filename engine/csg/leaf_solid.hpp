@@ -50,6 +50,7 @@ class LeafSolid final : public Solid {
   SharedSolids clips_, bounds_;
   bool inverted_;  // of the inside test; Leaf::inverted says whether the normal is negated
   bool plain_, patch_;
+  bool asks_clips_first_ = false;  // for the range in which the shape is searched
   bool box_cuts_ = false;  // `box` came from the bounds and may be smaller than the shape
 };
 

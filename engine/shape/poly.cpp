@@ -67,6 +67,7 @@ class PolySurface final : public ScannedShape<PolySurface> {
     return length > 0 ? gradient / length : dvec3(1, 0, 0);
   }
   bool tests_own_box() const override { return false; }
+  bool prefers_clipped_range() const override { return order_ > 2; }
 
  private:
   // Horner's rule, x outermost; coefficients are met in the order they are kept in. Up to order 4 the order is the capacity and a

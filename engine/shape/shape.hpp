@@ -93,6 +93,9 @@ class Shape {
 
   // False for shapes that the reference tests without their own bounding box (sphere, box, plane, poly family).
   virtual bool tests_own_box() const { return true; }
+
+  // True where finding a hit costs so much, and a shorter range so much less, that clips are asked first where along the ray they are.
+  virtual bool prefers_clipped_range() const { return false; }
 };
 
 // What building a shape may need besides its description: caches shared by all copies of one description in a scene.

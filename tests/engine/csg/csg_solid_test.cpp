@@ -8,6 +8,7 @@
 #include <ctime>
 #include <random>
 
+#include "engine/csg/bounding.hpp"
 #include "engine/shape/box.hpp"
 #include "engine/shape/cylinder.hpp"
 #include "engine/shape/height_field.hpp"
@@ -292,6 +293,21 @@ TEST(Csg, NestedCombinationsKeepTheirHitsApart) {
   outer->hits({{0, 0, -10}, {0, 0, 1}}, kAhead, {}, hits);
   EXPECT_EQ(hits.size(), 4u);
   EXPECT_EQ(seen(*outer, 0, 0), 4);
+}
+
+// A ray passes a sphere from 4 to 6, and a half-space up to 5.5.
+TEST(Clips, TellTheRangeInWhichARayCanBeInsideAll) {
+  SharedSolids clips;
+  clips.push_back(leaf(Sphere{{0, 0, 5}, 1}, 0));
+  clips.push_back(leaf(Plane{{0, 0, 1}, 5.5}, 0));
+  const Interval all{0, std::numeric_limits<double>::infinity()};
+  const Interval both = range_inside_all(clips, {dvec3(0), {0, 0, 1}}, all);
+  EXPECT_NEAR(both.lo, 4, 1e-5);
+  EXPECT_NEAR(both.hi, 5.5, 1e-5);
+  EXPECT_LT(both.lo, 4);
+  EXPECT_GT(both.hi, 5.5);
+  EXPECT_TRUE(range_inside_all(clips, {dvec3(0, 2, 0), {0, 0, 1}}, all).empty());
+  EXPECT_TRUE(range_inside_all(clips, {dvec3(0), {0, 0, 1}}, {5.6, 7}).empty());
 }
 
 }  // namespace

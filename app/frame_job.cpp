@@ -115,9 +115,8 @@ ExitCode render_frame(const RenderOptions& options, const Frame& frame, const st
   if (!parsed.ok) return ExitCode::kFailed;
 
   Stopwatch build_watch;
-  const BuildOptions build = build_options(options);
-  const std::unique_ptr<BuiltScene> built = build_scene(parsed.scene, build);
-  const RenderPlan plan = make_plan(parsed.scene, build);
+  const RenderPlan plan = make_plan(parsed.scene, build_options(options));
+  const std::unique_ptr<BuiltScene> built = build_scene(parsed.scene, plan);
   const Tracer tracer(*built, plan);
   const SceneView view(built->camera, *built->textures, tracer, options.width, options.height);
   times.build = build_watch.seconds();

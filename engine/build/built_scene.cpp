@@ -6,6 +6,7 @@
 #include "engine/build/geometry_answers.hpp"
 #include "engine/build/scene_builder.hpp"
 #include "engine/build/scene_scale.hpp"
+#include "engine/plan/scene_survey.hpp"
 
 namespace lute {
 namespace {
@@ -41,8 +42,6 @@ std::unique_ptr<BuiltSky> built_sky(const SkySphere& description, TextureCompile
   return sky;
 }
 
-bool has_effect(const Rainbow& r) { return !r.colors.entries.empty() && r.width != 0 && r.distance != 0; }
-
 BuiltRainbow built_rainbow(const Rainbow& r, double scale) {
   BuiltRainbow built;
   built.axis = glm::normalize(r.direction);
@@ -59,6 +58,20 @@ BuiltRainbow built_rainbow(const Rainbow& r, double scale) {
   return built;
 }
 
+void add_surroundings(const Scene& scene, const RenderPlan& plan, BuiltScene& built) {
+  built.background = built_background(scene, built.settings);
+  if (plan.sky_sphere) built.sky = built_sky(*scene.sky_sphere, *built.textures);
+  if (plan.fog) {
+    for (const Fog& fog : scene.fogs)
+      if (has_effect(fog)) built.fogs.push_back(scaled(fog, built.scale));
+  }
+  if (plan.rainbow) {
+    for (auto rainbow = scene.rainbows.rbegin(); rainbow != scene.rainbows.rend(); ++rainbow)
+      if (has_effect(*rainbow)) built.rainbows.push_back(built_rainbow(*rainbow, built.scale));
+  }
+  built.atmosphere = scene.atmosphere;
+}
+
 // What contains the start of the camera's rays is then asked for each of them.
 bool rays_start_apart(const Camera& camera) {
   const CameraKind kind = camera.kind;
@@ -66,7 +79,8 @@ bool rays_start_apart(const Camera& camera) {
          kind == CameraKind::kMesh;
 }
 
-std::unique_ptr<BuiltScene> built_at(double scale, const Scene& scene, const BuildOptions& options) {
+std::unique_ptr<BuiltScene> built_at(double scale, const Scene& scene, const RenderPlan& plan) {
+  const BuildOptions& options = plan.options;
   auto built = std::make_unique<BuiltScene>();
   built->scale = scale;
   built->camera = scaled(scene.camera, scale);
@@ -74,7 +88,7 @@ std::unique_ptr<BuiltScene> built_at(double scale, const Scene& scene, const Bui
   TextureSettings texture_settings;
   texture_settings.noise_generator = scene.settings.noise_generator;
   texture_settings.number_of_waves = scene.settings.number_of_waves;
-  texture_settings.quick_colors = built->settings.quality <= 5;
+  texture_settings.quick_colors = built->settings.quality < kQualityPatterns;
   texture_settings.inside_test = make_inside_test;
   built->textures = std::make_unique<TextureCompiler>(texture_settings);
 
@@ -84,15 +98,9 @@ std::unique_ptr<BuiltScene> built_at(double scale, const Scene& scene, const Bui
   builder.use_hierarchy(solids >= options.bounding_threshold);
   for (const ObjectPtr& object : scene.objects) builder.add(object);
   builder.finish();
-  if (rays_start_apart(scene.camera)) built->containers.index();
+  if (plan.interiors && rays_start_apart(scene.camera)) built->containers.index();
 
-  built->background = built_background(scene, built->settings);
-  if (scene.sky_sphere) built->sky = built_sky(*scene.sky_sphere, *built->textures);
-  for (const Fog& fog : scene.fogs)
-    if (std::abs(fog.distance) > kEpsilon) built->fogs.push_back(scaled(fog, scale));
-  for (auto rainbow = scene.rainbows.rbegin(); rainbow != scene.rainbows.rend(); ++rainbow)
-    if (has_effect(*rainbow)) built->rainbows.push_back(built_rainbow(*rainbow, scale));
-  built->atmosphere = scene.atmosphere;
+  add_surroundings(scene, plan, *built);
   return built;
 }
 
@@ -103,9 +111,9 @@ bool keeps_units(const BuiltScene& built) {
 }
 
 // Nothing is met farther than 1e7 units away: what stands there is looked for in a smaller picture of the scene.
-SceneSize size_of_far(const Scene& scene, const BuildOptions& options) {
+SceneSize size_of_far(const Scene& scene, const RenderPlan& plan) {
   constexpr double kScale = 0x1p-30;
-  const auto small = built_at(kScale, scene, options);
+  const auto small = built_at(kScale, scene, plan);
   const SceneSize size = size_of(small->solids, small->camera);
   return {size.reach / kScale, size.smallest / kScale};
 }
@@ -116,13 +124,13 @@ void BuiltScene::interiors_at(const dvec3& point, std::vector<const BuiltInterio
   containers.find(point, out);
 }
 
-std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const BuildOptions& options) {
-  auto built = built_at(1, scene, options);
+std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const RenderPlan& plan) {
+  auto built = built_at(1, scene, plan);
   if (built->solids.empty() || keeps_units(*built)) return built;
   SceneSize size = size_of(built->solids, built->camera);
-  if (size.reach == 0) size = size_of_far(scene, options);
+  if (size.reach == 0) size = size_of_far(scene, plan);
   const double scale = rendering_scale(size);
-  return scale == 1 ? std::move(built) : built_at(scale, scene, options);
+  return scale == 1 ? std::move(built) : built_at(scale, scene, plan);
 }
 
 }  // namespace lute

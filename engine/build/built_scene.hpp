@@ -10,6 +10,7 @@
 #include "engine/build/containers.hpp"
 #include "engine/csg/solid.hpp"
 #include "engine/light/light.hpp"
+#include "engine/plan/render_plan.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/texture/texture_compiler.hpp"
 
@@ -59,14 +60,6 @@ struct ShadingSettings {
   double mm_per_unit = 10;
 };
 
-struct BuildOptions {
-  int quality = 9;
-  bool output_alpha = false;
-  int bounding_threshold = 3;
-  bool remove_bounds = true;
-  bool split_unions = false;
-};
-
 struct BuiltScene {
   double scale = 1;  // of all lengths, against the scene's own units (engine/build/scene_scale.hpp)
   Camera camera;     // at its place in the built scene
@@ -80,8 +73,8 @@ struct BuiltScene {
   std::vector<LightGroup> light_groups;                // Leaf::light_group is an index
   Color background{Rgb(0.0f), 0, 1};
   std::unique_ptr<BuiltSky> sky;                       // null: none
-  std::vector<Fog> fogs;                               // those with effect
-  std::vector<BuiltRainbow> rainbows;                  // those with effect, last declared first
+  std::vector<Fog> fogs;                               // those with effect; none where the plan has none
+  std::vector<BuiltRainbow> rainbows;                  // the same, last declared first
   std::vector<std::shared_ptr<const Media>> atmosphere;
 
   // Interiors of the solids that contain a point, in scene order: where a camera ray starts (chapter 20 §8.1).
@@ -90,6 +83,7 @@ struct BuiltScene {
   Containers containers;  // top-level solids with an inside
 };
 
-std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const BuildOptions& options = {});
+// `plan` is the one made of this scene: what it leaves out is not built.
+std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const RenderPlan& plan);
 
 }  // namespace lute

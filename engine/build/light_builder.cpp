@@ -12,7 +12,7 @@ int SceneBuilder::open_light_group(int outer) {
 
 void SceneBuilder::add_light(const LightSource& light, const Object&, const Context& own) {
   if (geometry_only_) return;
-  auto built = std::make_unique<BuiltLight>(build_light(light, own.to_world, options_.quality >= 5));
+  auto built = std::make_unique<BuiltLight>(build_light(light, own.to_world, options_.quality >= kQualityAreaLights));
   built->fade_distance *= built_.scale;
   if (built->kind == LightKind::kCylinder) {
     built->radius *= built_.scale;

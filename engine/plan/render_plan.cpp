@@ -1,8 +1,6 @@
 #include "engine/plan/render_plan.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "engine/plan/scene_survey.hpp"
 
@@ -48,44 +46,42 @@ Seen either(const Seen& a, const Seen& b) {
 void plan_rays(const SceneSurvey& s, PlanWriter& out, RenderPlan& plan) {
   out.group("rays");
   out.add("camera", true, "needed because every picture has a camera", {});
-  plan.shadows = out.item("shadow", s.shadow_light, "a light casts shadows", "no light casts shadows", 4);
-  plan.filtered_shadows = plan.shadows && static_cast<bool>(s.non_opaque);
+  plan.shadows = out.item("shadow", s.shadow_light, "a light casts shadows", "no light casts shadows", kQualityShadows);
   if (plan.shadows)
     out.item("shadow with colours", s.non_opaque, "a shadow may fall through a surface",
              "every surface is opaque, one query for any blocker is enough");
-  plan.transmission = out.item("transmitted", s.translucent, "a surface lets light through", "every surface is opaque", 6);
+  plan.transmission = out.item("transmitted", s.translucent, "a surface lets light through", "every surface is opaque", kQualityTransmission);
   if (plan.transmission) {
-    out.item("refracted", s.refracting, "an interior has an index of refraction", "every index of refraction is 1", 6);
-    out.item("dispersed", s.dispersing, "an interior disperses", "no interior disperses", 6);
+    out.item("refracted", s.refracting, "an interior has an index of refraction", "every index of refraction is 1", kQualityTransmission);
+    out.item("dispersed", s.dispersing, "an interior disperses", "no interior disperses", kQualityTransmission);
   }
-  plan.reflection = out.item("reflected", either(s.reflecting, s.conserve_energy), "a finish reflects", "no finish reflects", 8);
+  plan.reflection = out.item("reflected", either(s.reflecting, s.conserve_energy), "a finish reflects", "no finish reflects", kQualityReflection);
 }
 
 void plan_shading(const SceneSurvey& s, PlanWriter& out, RenderPlan& plan) {
   out.group("shading");
-  plan.normals = out.item("normal patterns", s.normal_pattern, "a texture has a normal pattern", "no normal pattern", 8);
-  const bool phong = out.item("phong", s.phong, "a finish has phong", "no finish has phong", 2);
-  const bool specular = out.item("specular", s.specular, "a finish has specular", "no finish has specular", 2);
+  plan.normals = out.item("normal patterns", s.normal_pattern, "a texture has a normal pattern", "no normal pattern", kQualityReflection);
+  const bool phong = out.item("phong", s.phong, "a finish has phong", "no finish has phong", kQualityLights);
+  const bool specular = out.item("specular", s.specular, "a finish has specular", "no finish has specular", kQualityLights);
   plan.highlights = phong || specular;
-  plan.iridescence = out.item("iridescence", s.iridescent, "a finish has irid", "no finish has irid", 2);
-  out.item("crand", s.random_diffuse, "a finish has crand", "no finish has crand", 2);
-  out.item("fresnel", s.fresnel, "a reflection follows fresnel", "no reflection follows fresnel", 8);
+  out.item("iridescence", s.iridescent, "a finish has irid", "no finish has irid", kQualityLights);
+  out.item("crand", s.random_diffuse, "a finish has crand", "no finish has crand", kQualityLights);
+  out.item("fresnel", s.fresnel, "a reflection follows fresnel", "no reflection follows fresnel", kQualityReflection);
   out.item("layers", s.layered_texture, "a texture has layers", "every texture has one layer");
   out.item("texture maps", s.patterned_texture, "a texture blends textures", "no texture blends textures");
   plan.uv_patterns = out.item("surface coordinates", s.uv_pattern, "uv_mapping asks for them", "no uv_mapping");
-  out.item("distance fade", s.fading, "an interior fades light", "no interior fades light", 4);
-  out.item("faked caustics", s.caustics, "an interior has caustics", "no interior has caustics", 4);
+  out.item("distance fade", s.fading, "an interior fades light", "no interior fades light", kQualityShadows);
+  out.item("faked caustics", s.caustics, "an interior has caustics", "no interior has caustics", kQualityShadows);
 }
 
 void plan_lights(const SceneSurvey& s, PlanWriter& out, RenderPlan& plan) {
   out.group("lights");
-  plan.lights = out.item("light sources", s.light, "the scene has lights", "the scene has no light", 2);
+  plan.lights = out.item("light sources", s.light, "the scene has lights", "the scene has no light", kQualityLights);
   for (const auto& [name, seen] : s.light_kinds)
-    out.item(name, seen, "a light_source is one", "none", name == "area_light" || name == "area_illumination" ? 5 : 2);
-  plan.area_lights = std::ranges::any_of(plan.items, [](const PlanItem& i) { return i.needed && i.name.starts_with("area_"); });
-  plan.light_groups = out.item("light_group", s.group, "objects have lights of their own", "all lights light all objects", 2);
-  out.item("fade_distance", s.fading_light, "a light fades", "no light fades", 2);
-  out.item("projected_through", s.projecting, "a light shines through an object", "no light is projected", 4);
+    out.item(name, seen, "a light_source is one", "none", name.starts_with("area_") ? kQualityAreaLights : kQualityLights);
+  out.item("light_group", s.group, "objects have lights of their own", "all lights light all objects", kQualityLights);
+  out.item("fade_distance", s.fading_light, "a light fades", "no light fades", kQualityLights);
+  out.item("projected_through", s.projecting, "a light shines through an object", "no light is projected", kQualityShadows);
 }
 
 void plan_surroundings(const Scene& scene, const SceneSurvey& s, PlanWriter& out, RenderPlan& plan) {
@@ -96,11 +92,11 @@ void plan_surroundings(const Scene& scene, const SceneSurvey& s, PlanWriter& out
                              "the scene has a sky_sphere", "no sky_sphere");
   Seen fog, rainbow;
   for (const Fog& f : scene.fogs)
-    if (std::abs(f.distance) > kEpsilon) fog = either(fog, seen_at(true, f.where));
+    if (has_effect(f)) fog = either(fog, seen_at(true, f.where));
   for (const Rainbow& r : scene.rainbows)
-    if (!r.colors.entries.empty() && r.width != 0 && r.distance != 0) rainbow = either(rainbow, seen_at(true, r.where));
-  plan.fog = out.item("fog", fog, "the scene has fog", "no fog", 9);
-  plan.rainbow = out.item("rainbow", rainbow, "the scene has a rainbow", "no rainbow", 9);
+    if (has_effect(r)) rainbow = either(rainbow, seen_at(true, r.where));
+  plan.fog = out.item("fog", fog, "the scene has fog", "no fog", kQualityVolumes);
+  plan.rainbow = out.item("rainbow", rainbow, "the scene has a rainbow", "no rainbow", kQualityVolumes);
   plan.volume_effects = plan.fog || plan.rainbow;
   plan.interiors = out.item("camera interiors", either(either(s.translucent, s.fading), either(fog, rainbow)),
                             "rays pass surfaces, or something fills space", "no ray passes a surface and nothing fills space");
@@ -123,24 +119,11 @@ std::string place(const Scene& scene, SourceLocation where) {
   return file + ":" + std::to_string(where.line);
 }
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    if (static_cast<unsigned char>(c) < 0x20) {
-      constexpr std::array<char, 17> kHex{"0123456789abcdef"};
-      result += std::string("\\u00") + kHex[static_cast<std::size_t>(c >> 4)] + kHex[static_cast<std::size_t>(c & 15)];
-    } else {
-      result += c;
-    }
-  }
-  return result + '"';
-}
-
 }  // namespace
 
 RenderPlan make_plan(const Scene& scene, const BuildOptions& options) {
   RenderPlan plan;
+  plan.options = options;
   const SceneSurvey survey(scene);
   PlanWriter out(plan, std::clamp(options.quality, 0, 9));
   plan_rays(survey, out, plan);
@@ -164,18 +147,6 @@ std::string RenderPlan::text(const Scene& scene) const {
     result += "\n";
   }
   return result;
-}
-
-std::string RenderPlan::json(const Scene& scene) const {
-  std::string result = "[";
-  for (const PlanItem& item : items) {
-    const std::string file = item.where.line != 0 && item.where.file < scene.files.size() ? scene.files[item.where.file] : "";
-    result += result.size() > 1 ? ",\n " : "\n ";
-    result += "{\"group\": " + quoted(item.group) + ", \"name\": " + quoted(item.name) + ", \"needed\": " +
-              (item.needed ? "true" : "false") + ", \"reason\": " + quoted(item.reason) + ", \"file\": " + quoted(file) +
-              ", \"line\": " + std::to_string(item.where.line) + "}";
-  }
-  return result + "\n]\n";
 }
 
 }  // namespace lute

@@ -1,11 +1,13 @@
-// What a scene needs to be rendered, and why. What is not needed is not built and not tested for at any ray.
+// What a scene as a whole needs to be rendered, and why. It is made first: build and tracer read its decisions, and what is not
+// needed is not built and not tested for at any ray. What differs from surface to surface or from light to light (colours in shadows,
+// iridescence, areas of lights) is decided where that is built; the plan then only tells whether the scene has any.
 // `lute --explain` prints the plan.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "engine/build/built_scene.hpp"
+#include "engine/plan/build_options.hpp"
 #include "engine/plan/feature.hpp"
 #include "engine/scene/scene.hpp"
 
@@ -20,20 +22,17 @@ struct PlanItem {
 };
 
 struct RenderPlan {
-  // Read by the tracer.
+  BuildOptions options;  // those that the plan was made for
+
   bool lights = false;            // some light shines
   bool shadows = false;           // some light casts shadows and quality asks for them
-  bool filtered_shadows = false;  // some object lets light through: shadow rays have to gather colours
-  bool area_lights = false;
   Feature<kTransmissionCompiled> transmission;  // some surface lets a ray pass
   Feature<kReflectionCompiled> reflection;
   Feature<kNormalsCompiled> normals;            // some normal pattern perturbs
   Feature<kHighlightsCompiled> highlights;      // phong or specular
-  bool iridescence = false;
   bool sky_sphere = false;
   Feature<kFogCompiled> fog;
   Feature<kFogCompiled> rainbow;
-  bool light_groups = false;
   bool uv_patterns = false;       // some texture asks for surface coordinates
   bool interiors = false;         // what a ray begins in matters: it may leave it, fade in it, or find fog
   Feature<kFogCompiled> volume_effects;  // fog, rainbow or media: rays have to know whether they are hollow
@@ -42,8 +41,6 @@ struct RenderPlan {
 
   // One line an item, grouped: "shadow rays    needed because light_source casts shadows (scene.pov:12)".
   std::string text(const Scene& scene) const;
-  // An array of {"group", "name", "needed", "reason", "file", "line"}.
-  std::string json(const Scene& scene) const;
 };
 
 RenderPlan make_plan(const Scene& scene, const BuildOptions& options = {});

@@ -1,5 +1,7 @@
 #include "engine/plan/sampling_plan.hpp"
 
+#include "engine/camera/focal_blur.hpp"
+
 namespace lute {
 namespace {
 
@@ -14,7 +16,7 @@ void plan_sampling(const Scene& scene, const Antialiasing& antialiasing, bool es
                           needed ? where : kNowhere});
   };
   const int method = antialiasing.method;
-  const bool driven = method == 3;
+  const bool driven = antialiasing.error_driven();
   add("buffers", "film", true, "every picture is collected in one", "");
   add("buffers", "estimated errors", driven || estimate_error,
       driven ? "antialiasing follows them" : "--stats asks for them", "neither +AM3 nor --stats");
@@ -24,8 +26,8 @@ void plan_sampling(const Scene& scene, const Antialiasing& antialiasing, bool es
       "one sample a pixel");
   add("passes", "second pass", driven, "antialiasing needs the pixels around each", "pixels are finished in one pass");
 
-  const bool blur = scene.camera.aperture != 0 && scene.camera.blur_samples_max > 0;
-  const bool jitter = (method == 1 || method == 2) && antialiasing.jitter != 0;
+  const bool blur = FocalBlur::wanted(scene.camera);
+  const bool jitter = antialiasing.moves_samples();
   add("tables", "lens positions", blur, "the camera has an aperture", "the camera is a pinhole", scene.camera.where);
   add("tables", "jitter", jitter || blur, jitter ? "antialiasing moves its samples" : "the camera has an aperture",
       "no sample is moved");

@@ -1,4 +1,5 @@
-// The part of the plan that the options decide: how often a pixel is sampled, and what is kept meanwhile.
+// What --explain says about sampling: how often a pixel is sampled, and what is kept meanwhile. The decisions are those of
+// Antialiasing and FocalBlur, which the renderer asks for itself.
 #pragma once
 
 #include "engine/plan/render_plan.hpp"

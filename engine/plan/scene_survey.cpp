@@ -1,6 +1,7 @@
 #include "engine/plan/scene_survey.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 namespace lute {
@@ -40,6 +41,10 @@ bool certainly_opaque(const Texture& t) {
   const auto& patterned = std::get<PatternedTexture>(t.content);
   return std::ranges::all_of(patterned.map.entries, [](const auto& e) { return certainly_opaque(*e.value); });
 }
+
+bool has_effect(const Fog& fog) { return std::abs(fog.distance) > kEpsilon; }
+
+bool has_effect(const Rainbow& r) { return !r.colors.entries.empty() && r.width != 0 && r.distance != 0; }
 
 SceneSurvey::SceneSurvey(const Scene& scene) {
   for (const ObjectPtr& o : scene.objects) {

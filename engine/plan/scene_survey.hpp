@@ -46,4 +46,8 @@ class SceneSurvey {
 bool certainly_opaque(const Pigment& p);
 bool certainly_opaque(const Texture& t);
 
+// False: written so that it shows nowhere.
+bool has_effect(const Fog& fog);
+bool has_effect(const Rainbow& rainbow);
+
 }  // namespace lute

@@ -18,6 +18,9 @@ struct Antialiasing {
   float jitter = 1.0f;     // 0...1; 0: none
   double gamma = 2.5;      // colours are compared after encoding with this power; <= 0 or near 1: as light
   double error_bound = 0.01;  // of method 3: largest estimated error of a pixel, root mean square of coded 0...1
+
+  bool error_driven() const { return method == 3; }
+  bool moves_samples() const { return (method == 1 || method == 2) && jitter != 0; }
 };
 
 // Compares colours as an eye would: encoded with the antialiasing gamma, from the scene's working space.

@@ -120,7 +120,7 @@ RenderResult render_error_driven(const RenderSettings& settings, const DisplayMe
 RenderResult render(const RenderSettings& settings, const MakePixelSource& make_source, Film& film,
                     const RenderProgress& progress) {
   const DisplayMetric display(settings.gamma_mode, settings.assumed_gamma, settings.alpha);
-  if (settings.antialiasing.method == 3) return render_error_driven(settings, display, make_source, film, progress);
+  if (settings.antialiasing.error_driven()) return render_error_driven(settings, display, make_source, film, progress);
   const ColorMetric metric(settings.antialiasing, settings.gamma_mode, settings.assumed_gamma);
   std::optional<ErrorMap> errors;
   std::optional<ErrorRecord> record;

@@ -7,8 +7,6 @@
 namespace lute {
 namespace {
 
-constexpr int kQualityShadows = 4;
-
 bool takes_light(const Finish& f) { return f.diffuse != 0 || f.diffuse_back != 0 || f.phong != 0 || f.specular != 0; }
 
 }  // namespace
@@ -69,7 +67,7 @@ Rgb Shader::light_from(Surface& surface, const LitLayer& layer, std::size_t inde
 // The same for all layers and blended textures of the point.
 Rgb Shader::after_shadows(Surface& surface, const BuiltLight& source, std::size_t index) {
   const LightAtPoint known = (*surface.lights)[index];
-  if (!plan_.shadows || settings_.quality < kQualityShadows) return known.color;
+  if (!plan_.shadows) return known.color;
   if (known.shadowed) return known.after_shadows;
   Rgb color = known.color;
   if (source.area && source.casts_shadows())

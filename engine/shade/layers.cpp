@@ -7,10 +7,6 @@
 namespace lute {
 namespace {
 
-constexpr int kQualityAmbientAndDiffuse = 2;
-constexpr int kQualityTransmission = 6;
-constexpr int kQualityReflection = 8;
-
 float layer_opacity(const Color& pigment, bool legacy) {
   return legacy ? 1 - (pigment.filter * peak(pigment.rgb) + pigment.transmit) : opacity(pigment);
 }
@@ -44,7 +40,7 @@ Color Shader::layers_color(Surface& surface, const CompiledTexture& texture, con
 
     float reflected_weight = 0;
     Rgb reflectivity_here{0.0f};
-    if (settings_.quality < kQualityAmbientAndDiffuse) {
+    if (settings_.quality < kQualityLights) {
       color = {pigment.rgb, 0, 0};
     } else {
       const LitLayer lit{finish, pigment, layer_opacity(pigment, settings_.legacy), normal};
@@ -66,8 +62,7 @@ Color Shader::layers_color(Surface& surface, const CompiledTexture& texture, con
   }
 
   bool total_reflection = false;
-  if (plan_.transmission && settings_.quality >= kQualityTransmission && translucency > settings_.adc_bailout &&
-      !texture.layers.empty())
+  if (plan_.transmission && translucency > settings_.adc_bailout && !texture.layers.empty())
     total_reflection = add_transmission(surface, *texture.layers.back().finish, top_normal, filter, translucency, pigment_found, color);
   if (reflections.size() > 0) add_reflections(surface, top_normal, total_reflection, reflections, color);
   return color;
@@ -97,7 +92,6 @@ bool Shader::add_transmission(Surface& surface, const Finish& top_finish, const 
 
 void Shader::add_reflections(Surface& surface, const dvec3& top_normal, bool total_reflection,
                              ScratchBlock<ReflectingLayer>& layers, Color& color) {
-  if (settings_.quality < kQualityReflection) return;
   const std::size_t count = layers.size();
   for (std::size_t i = 0; i < count; ++i) {
     const ReflectingLayer layer = layers[i];  // a copy: deeper rays use the same stack

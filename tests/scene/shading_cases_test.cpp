@@ -51,8 +51,8 @@ Color seen(const Case& c) {
   BuildOptions options;
   options.quality = c.quality;
   options.output_alpha = c.alpha;
-  const auto built = build_scene(parsed.scene, options);
   const RenderPlan plan = make_plan(parsed.scene, options);
+  const auto built = build_scene(parsed.scene, plan);
   const Tracer tracer(*built, plan);
   const SceneView view(parsed.scene.camera, *built->textures, tracer, 1, 1);
   return view.make_source()->sample({0, 0});

@@ -43,9 +43,8 @@ std::vector<int> rendered(const Case& c) {
   const ParseResult parsed = parse_scene(parse);
   EXPECT_TRUE(parsed.ok) << messages;
   if (!parsed.ok) return {};
-  const BuildOptions options;
-  const auto built = build_scene(parsed.scene, options);
-  const RenderPlan plan = make_plan(parsed.scene, options);
+  const RenderPlan plan = make_plan(parsed.scene);
+  const auto built = build_scene(parsed.scene, plan);
   const Tracer tracer(*built, plan);
   const SceneView view(parsed.scene.camera, *built->textures, tracer, c.width, c.height);
   const auto source = view.make_source();

@@ -44,8 +44,8 @@ TEST_P(TextureRow, HasTheColorsOfTheReference) {
   options.texture_functions = &functions;
   const ParseResult parsed = parse_scene(options);
   ASSERT_TRUE(parsed.ok) << (parsed.diagnostics.empty() ? std::string() : parsed.diagnostics.back().message);
-  const auto built = build_scene(parsed.scene, {});
-  const RenderPlan plan = make_plan(parsed.scene, {});
+  const RenderPlan plan = make_plan(parsed.scene);
+  const auto built = build_scene(parsed.scene, plan);
   const Tracer tracer(*built, plan);
   const SceneView view(parsed.scene.camera, *built->textures, tracer, 4, 1);
   const auto source = view.make_source();

@@ -6,12 +6,14 @@
 namespace lute::testing {
 namespace {
 
-// A row of balls of radius 1 at x = 0, 1, 2, ...; a large one around all; and the half space below y = -5.
+// A row of balls of radius 1 at x = 0, 1, 2, ...; a large one around all; and the half space below y = -5. All clear: where nothing is,
+// no tree of containers is built.
 Scene row_of_balls(bool orthographic) {
+  const TexturePtr clear = texture(rgbt(1, 1), finish(1, 0));
   std::vector<ObjectPtr> objects;
-  for (int i = 0; i < 50; ++i) objects.push_back(object(sphere({static_cast<double>(i), 0, 0}, 1), texture(rgbft(1, 1, 1), finish(1, 0))));
-  objects.push_back(object(sphere({25, 0, 0}, 100), texture(rgbft(1, 1, 1), finish(1, 0))));
-  objects.push_back(object(plane({0, 1, 0}, -5), texture(rgbft(1, 1, 1), finish(1, 0))));
+  for (int i = 0; i < 50; ++i) objects.push_back(object(sphere({static_cast<double>(i), 0, 0}, 1), clear));
+  objects.push_back(object(sphere({25, 0, 0}, 100), clear));
+  objects.push_back(object(plane({0, 1, 0}, -5), clear));
   Scene result = scene(objects);
   if (orthographic) result.camera.kind = CameraKind::kOrthographic;
   return result;
@@ -25,7 +27,7 @@ std::vector<const BuiltInterior*> interiors(const BuiltScene& built, const dvec3
 
 TEST(Containers, AreTheSolidsAroundAPoint) {
   for (const bool orthographic : {false, true}) {
-    const auto built = build_scene(row_of_balls(orthographic));
+    const auto built = built_scene(row_of_balls(orthographic));
     EXPECT_EQ(interiors(*built, {10.5, 0, 0}).size(), 3u);    // balls 10 and 11, and the large one
     EXPECT_EQ(interiors(*built, {10.5, 0.9, 0}).size(), 1u);  // only the boxes of the balls hold it
     EXPECT_EQ(interiors(*built, {10.5, -6, 0}).size(), 2u);   // the large ball and the half space
@@ -35,7 +37,7 @@ TEST(Containers, AreTheSolidsAroundAPoint) {
 }
 
 TEST(Containers, ComeInSceneOrder) {
-  const auto plain = build_scene(row_of_balls(false)), indexed = build_scene(row_of_balls(true));
+  const auto plain = built_scene(row_of_balls(false)), indexed = built_scene(row_of_balls(true));
   const auto position = [](const BuiltScene& built, const BuiltInterior* wanted) {
     std::size_t i = 0;
     while (built.interiors[i].get() != wanted) ++i;

@@ -51,7 +51,7 @@ TEST(Interior, TheLastPartDecidesWhetherACommonInteriorIsHollow) {  // chapter 2
   const auto hollow_last = [](bool last) {
     auto a = ball(), b = far_ball();
     (last ? b : a)->hollow = true;
-    const auto built = build_scene(scene({csg(CsgOperation::kMerge, {a, b})}));
+    const auto built = built_scene(scene({csg(CsgOperation::kMerge, {a, b})}));
     std::vector<const Leaf*> leaves;
     built->solids.front()->leaves(leaves);
     EXPECT_EQ(leaves[0]->interior, leaves[1]->interior);
@@ -68,7 +68,7 @@ TEST(Interior, HollowOfAUnionReachesPartsThatDoNotSay) {
   b->interior = interior();
   auto u = csg(CsgOperation::kMerge, {a, b});
   u->hollow = true;
-  const auto built = build_scene(scene({u}));
+  const auto built = built_scene(scene({u}));
   std::vector<const Leaf*> leaves;
   built->solids.front()->leaves(leaves);
   EXPECT_TRUE(leaves[0]->interior->hollow);
@@ -77,7 +77,7 @@ TEST(Interior, HollowOfAUnionReachesPartsThatDoNotSay) {
 
 TEST(Interior, OldFinishFormsReachIt) {  // chapter 11 §11.2
   auto b = ball(texture(rgbft(1, 1, 1), finish([](Finish& f) { f.ior = 1.5f, f.refraction = .5f; })));
-  const auto built = build_scene(scene({b}));
+  const auto built = built_scene(scene({b}));
   std::vector<const Leaf*> leaves;
   built->solids.front()->leaves(leaves);
   EXPECT_FLOAT_EQ(leaves[0]->interior->ior, 1.5f);
@@ -87,12 +87,12 @@ TEST(Interior, OldFinishFormsReachIt) {  // chapter 11 §11.2
 TEST(Union, DissolvesIntoTopLevelObjects) {  // chapter 20 §6.6
   auto inner = csg(CsgOperation::kUnion, {ball(), far_ball()});
   auto u = csg(CsgOperation::kUnion, {inner, ball()});
-  EXPECT_EQ(build_scene(scene({u}))->solids.size(), 3u);
+  EXPECT_EQ(built_scene(scene({u}))->solids.size(), 3u);
   std::get<Csg>(u->geometry).split_union = false;
-  EXPECT_EQ(build_scene(scene({u}))->solids.size(), 1u);
+  EXPECT_EQ(built_scene(scene({u}))->solids.size(), 1u);
   auto inverse = csg(CsgOperation::kUnion, {ball(), far_ball()});
   inverse->inverse = true;
-  const auto built = build_scene(scene({inverse}));
+  const auto built = built_scene(scene({inverse}));
   ASSERT_EQ(built->solids.size(), 1u);
   EXPECT_EQ(dynamic_cast<const CsgSolid&>(*built->solids[0]).kind(), CsgKind::kIntersection);
 }
@@ -100,7 +100,7 @@ TEST(Union, DissolvesIntoTopLevelObjects) {  // chapter 20 §6.6
 TEST(Difference, CuttersArriveInverted) {  // chapter 20 §6.3
   auto cutter = csg(CsgOperation::kIntersection, {object(sphere({0, 0, -1}, 1)), object(sphere({0, .1, -1}, 1))});
   auto d = csg(CsgOperation::kDifference, {object(sphere({0, 0, 0}, 1), glowing(1, 0, 0)), cutter});
-  const auto built = build_scene(scene({d}));
+  const auto built = built_scene(scene({d}));
   const auto& solid = dynamic_cast<const CsgSolid&>(*built->solids[0]);
   EXPECT_EQ(solid.kind(), CsgKind::kDifference);
   EXPECT_EQ(dynamic_cast<const CsgSolid&>(*solid.children()[1]).kind(), CsgKind::kMerge);
@@ -112,7 +112,7 @@ TEST(Clip, StaysWhereItIsWhenTheObjectMovesBeforeIt) {
   auto b = ball(glowing(1, 0, 0));
   b->transform = Transform::translate({5, 0, 0});
   b->clipped_by = {object(plane({1, 0, 0}, 5))};
-  const auto built = build_scene(scene({b}));
+  const auto built = built_scene(scene({b}));
   EXPECT_TRUE(built->solids[0]->inside({4.5, 0, 0}));
   EXPECT_FALSE(built->solids[0]->inside({5.5, 0, 0}));
 }

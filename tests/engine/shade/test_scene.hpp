@@ -113,9 +113,13 @@ inline Ray camera(double degrees = 0) {
   return {{0, 5 * t, -5}, glm::normalize(dvec3(0, -t, 1))};
 }
 
+inline std::unique_ptr<BuiltScene> built_scene(const Scene& scene, const BuildOptions& options = {}) {
+  return build_scene(scene, make_plan(scene, options));
+}
+
 inline Color look(const Scene& scene, const Ray& ray, const BuildOptions& options = {}) {
-  const auto built = build_scene(scene, options);
   const RenderPlan plan = make_plan(scene, options);
+  const auto built = build_scene(scene, plan);
   const Tracer tracer(*built, plan);
   TraceContext context;
   context.start_sample(0, 0);

@@ -213,6 +213,27 @@ bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(
 
 constexpr std::size_t kGrain = 4096;  // faces or leaves to a task
 
+// The boxes of the triangles that have one: corners that are no numbers make none.
+std::vector<Bvh::Item> triangle_boxes(std::span<const glm::vec3> vertices, std::span<const TriangleTree::Face> faces,
+                                      std::span<const std::uint32_t> used) {
+  std::vector<Bvh::Item> items(used.size());
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, used.size(), kGrain), [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+          const TriangleTree::Face& face = faces[used[i]];
+          const glm::vec3 &a = vertices[face[0]], &b = vertices[face[1]], &c = vertices[face[2]];
+          items[i].index =
+              is_finite(a) && is_finite(b) && is_finite(c) ? used[i] : static_cast<std::uint32_t>(faces.size());
+          for (int axis = 0; axis < 3; ++axis) {
+            items[i].lo[axis] = std::min({a[axis], b[axis], c[axis]});
+            items[i].hi[axis] = std::max({a[axis], b[axis], c[axis]});
+          }
+        }
+      });
+  std::erase_if(items, [&](const Bvh::Item& item) { return item.index == faces.size(); });
+  return items;
+}
+
 }  // namespace
 
 bool TriangleTree::nearest(const Ray& ray, Interval range, TriangleHit& hit) const {
@@ -231,23 +252,11 @@ std::uint64_t TriangleTree::crossings(const Ray& ray, Interval range) const {
 
 void TriangleTree::build(std::span<const glm::vec3> vertices, std::span<const Face> faces,
                          std::span<const std::uint32_t> used) {
-  std::vector<Bvh::Item> items(used.size());
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, used.size(), kGrain), [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-          const Face& face = faces[used[i]];
-          const glm::vec3 &a = vertices[face[0]], &b = vertices[face[1]], &c = vertices[face[2]];
-          items[i].index =
-              is_finite(a) && is_finite(b) && is_finite(c) ? used[i] : static_cast<std::uint32_t>(faces.size());
-          for (int axis = 0; axis < 3; ++axis) {
-            items[i].lo[axis] = std::min({a[axis], b[axis], c[axis]});
-            items[i].hi[axis] = std::max({a[axis], b[axis], c[axis]});
-          }
-        }
-      });
-  std::erase_if(items, [&](const Bvh::Item& item) { return item.index == faces.size(); });
-  bvh_ = Bvh(std::move(items), {.block = 4, .max_size = 16});
+  bvh_ = Bvh(triangle_boxes(vertices, faces, used), {.block = 4, .max_size = 16});
+  pack_leaves(vertices, faces);
+}
 
+void TriangleTree::pack_leaves(std::span<const glm::vec3> vertices, std::span<const Face> faces) {
   struct Leaf {
     std::uint32_t first, count, block;
   };

@@ -59,6 +59,7 @@ class TriangleTree {
 
  private:
   void build(std::span<const glm::vec3> vertices, std::span<const Face> faces, std::span<const std::uint32_t> used);
+  void pack_leaves(std::span<const glm::vec3> vertices, std::span<const Face> faces);
 
   Bvh bvh_;
   std::vector<Block> blocks_;

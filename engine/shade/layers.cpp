@@ -17,6 +17,14 @@ bool same_normal(const dvec3& a, const dvec3& b) {
 
 Rgb power(Rgb c, float exponent) { return {std::pow(c.r, exponent), std::pow(c.g, exponent), std::pow(c.b, exponent)}; }
 
+// `filter`: what the layers so far let through of the light from below.
+void add_filter(const Color& pigment, const Finish& finish, Rgb reflectivity, Rgb& filter) {
+  filter *= pass_through(pigment);
+  if (!finish.conserve_energy) return;
+  const Rgb kept = Rgb(1.0f) - reflectivity;
+  filter *= Rgb(std::min(1.0f, kept.r), std::min(1.0f, kept.g), std::min(1.0f, kept.b));
+}
+
 }  // namespace
 
 Color Shader::layers_color(Surface& surface, const CompiledTexture& texture, const dvec3& point, const TextureSpace* space) {
@@ -51,13 +59,7 @@ Color Shader::layers_color(Surface& surface, const CompiledTexture& texture, con
       }
       color.rgb += own_light(surface, lit) * filter;
     }
-    if (found) {
-      filter *= pass_through(pigment);
-      if (finish.conserve_energy) {
-        const Rgb kept = Rgb(1.0f) - reflectivity_here;
-        filter *= Rgb(std::min(1.0f, kept.r), std::min(1.0f, kept.g), std::min(1.0f, kept.b));
-      }
-    }
+    if (found) add_filter(pigment, finish, reflectivity_here, filter);
     translucency = std::min(1.0f, std::abs(grey(filter)));
   }
 

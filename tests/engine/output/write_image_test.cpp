@@ -8,6 +8,7 @@
 
 #include "engine/image/format_library.hpp"
 #include "engine/output/atomic_file.hpp"
+#include "tests/file_text.hpp"
 #include "tests/temporary_path.hpp"
 
 namespace lute {
@@ -27,10 +28,6 @@ class WriteImage : public testing::Test {
   std::string path(const char* name) const { return (folder_ / name).string(); }
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-  }
-  static std::string content(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(stream), {});
   }
 
   fs::path folder_;
@@ -54,7 +51,7 @@ std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
 
 TEST_F(WriteImage, PngDeclaresSrgb) {  // chapter 30 §12 F: gAMA 45455 and an sRGB chunk
   write_image(path("a.png"), gradient(), kLinear, {});
-  const std::string bytes = content(path("a.png"));
+  const std::string bytes = test::file_text(path("a.png"));
   ASSERT_NE(bytes.find("gAMA"), std::string::npos);
   EXPECT_EQ(big_endian(bytes, bytes.find("gAMA") + 4), 45455u);
   EXPECT_NE(bytes.find("sRGB"), std::string::npos);
@@ -62,7 +59,7 @@ TEST_F(WriteImage, PngDeclaresSrgb) {  // chapter 30 §12 F: gAMA 45455 and an s
 
 TEST_F(WriteImage, PngDeclaresAPowerCurve) {
   write_image(path("a.png"), gradient(), kLinear, {.file_gamma = GammaCurve::power(1.8)});
-  const std::string bytes = content(path("a.png"));
+  const std::string bytes = test::file_text(path("a.png"));
   EXPECT_EQ(big_endian(bytes, bytes.find("gAMA") + 4), 55556u);
   EXPECT_EQ(bytes.find("sRGB"), std::string::npos);
 }
@@ -132,7 +129,7 @@ TEST_F(WriteImage, FailureKeepsTheOldFile) {
   fs::create_directories(folder_ / "directory.png");
   EXPECT_THROW(write_image(path("directory.png"), gradient(), kLinear, {}), std::runtime_error);
   EXPECT_THROW(write_image(path("missing/a.png"), gradient(), kLinear, {}), std::runtime_error);
-  EXPECT_EQ(content(path("a.exr")), "old");
+  EXPECT_EQ(test::file_text(path("a.exr")), "old");
   EXPECT_EQ(files(), 2u);
 }
 
@@ -142,10 +139,10 @@ TEST_F(WriteImage, AbandonedFileDisappears) {
     const AtomicFile file(path("a.png"));
     std::ofstream(file.temporary_path()) << "half";
     EXPECT_EQ(files(), 2u);
-    EXPECT_EQ(content(path("a.png")), "old");
+    EXPECT_EQ(test::file_text(path("a.png")), "old");
   }
   EXPECT_EQ(files(), 1u);
-  EXPECT_EQ(content(path("a.png")), "old");
+  EXPECT_EQ(test::file_text(path("a.png")), "old");
 }
 
 TEST_F(WriteImage, WritesThroughALink) {
@@ -153,7 +150,7 @@ TEST_F(WriteImage, WritesThroughALink) {
   fs::create_symlink("target.png", folder_ / "link.png");
   write_image(path("link.png"), gradient(), kLinear, {});
   EXPECT_TRUE(fs::is_symlink(folder_ / "link.png"));
-  EXPECT_EQ(content(path("target.png")).substr(1, 3), "PNG");
+  EXPECT_EQ(test::file_text(path("target.png")).substr(1, 3), "PNG");
 }
 
 TEST_F(WriteImage, ADeviceIsNotReplaced) {

@@ -1,4 +1,5 @@
-// One table of shapes for tests that hold for every shape: see random_rays_test.cpp. A new primitive gets a line in shape_cases.cpp.
+// One table of shapes for tests that hold for every shape: see random_rays_test.cpp. A new primitive gets a line
+// in the file of its family.
 #pragma once
 
 #include <functional>

@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
+#include "tests/file_text.hpp"
 #include "trace.hpp"
 
 namespace lute {
@@ -15,10 +13,7 @@ using test::make;
 using test::trace;
 
 std::shared_ptr<const std::string> font(const std::string& name) {
-  std::ifstream file("/usr/share/povray-3.7/include/" + name, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return std::make_shared<const std::string>(bytes.str());
+  return std::make_shared<const std::string>(test::file_text("/usr/share/povray-3.7/include/" + name));
 }
 
 class TextTest : public testing::Test {

@@ -126,7 +126,7 @@ std::vector<Case> mirror_and_glass_cases() {
   };
 }
 
-std::vector<Case> light_cases() {
+std::vector<Case> light_cone_cases() {
   std::vector<Case> cases;
   const auto spot = [&](const std::string& name, const std::string& degrees, const std::string& items, float v) {
     cases.push_back({name, "#declare X = 10*tan(radians(" + degrees + ")); camera{orthographic location <X,0,-5> direction z right x*.0001 "
@@ -146,8 +146,13 @@ std::vector<Case> light_cases() {
   cylinder("13Inner", ".7", 1);
   cylinder("13Edge", ".8", .896f);
   cylinder("13Outer", ".9", .352f);
-  cases.push_back({"14", "CAM(0) light_source{<0,0,-100>, rgb 1 fade_distance 50 fade_power 2} plane{-z,0 pigment{rgb 1} finish{A0}}", .4f,
-                   .4f, .4f});
+  cases.push_back({"30", "camera{orthographic location <3,0,-5> direction z right x*.01 up y*.01} light_source{<0,0,-10>, rgb 1 spotlight "
+                         "parallel radius 10 falloff 20 point_at 0} plane{-z,0 pigment{rgb 1} finish{A0}}", 1, 1, 1});
+  return cases;
+}
+
+std::vector<Case> area_light_cases() {
+  std::vector<Case> cases;
   const auto area = [&](const std::string& name, const std::string& grid, const std::string& edge, float v) {
     cases.push_back({name, "CAM(0) light_source{<0,0,-100>, rgb 1 area_light x*20,y*20," + grid + "} box{<-100,-100,-6>,<" + edge +
                            ",100,-5> pigment{rgb 0} no_image} plane{-z,0 pigment{rgb 1} finish{A0}}", v, v, v});
@@ -162,6 +167,11 @@ std::vector<Case> light_cases() {
   area("15Seventeen", "17,1 adaptive 1", ".3", .21875f);
   cases.push_back({"15bIllumination", "CAM(0) light_source{<0,0,-100>, rgb 1 area_light x*200,y*200,3,3 area_illumination} "
                                       "plane{-z,0 pigment{rgb 1} finish{A0}}", .68199f, .68199f, .68199f});
+  return cases;
+}
+
+std::vector<Case> shadow_cases() {
+  std::vector<Case> cases;
   const auto shadow = [&](const std::string& name, const std::string& object, float r, float g, float b) {
     cases.push_back({name, "CAM(0) SUN() " + object + " plane{-z,0 pigment{rgb 1} finish{A0}}", r, g, b});
   };
@@ -177,6 +187,15 @@ std::vector<Case> light_cases() {
   no_shadow("25Whole", "union", "split_union off", 0);
   no_shadow("25Merge", "merge", "", 0);
   shadow("26", "light_source{<0,0,100>, rgb 0}", 1, 1, 1);
+  cases.push_back({"34", "CAM(0) light_source{<0,0,-100>, rgb .1} sphere{-3*z,1 pigment{rgbf <1,1,1,.5>} finish{caustics .1} no_image} "
+                         "plane{-z,0 pigment{rgb 1} finish{A0}}", .1f, .1f, .1f});
+  return cases;
+}
+
+std::vector<Case> light_position_cases() {
+  std::vector<Case> cases;
+  cases.push_back({"14", "CAM(0) light_source{<0,0,-100>, rgb 1 fade_distance 50 fade_power 2} plane{-z,0 pigment{rgb 1} finish{A0}}", .4f,
+                   .4f, .4f});
   cases.push_back({"26Behind", "CAM(0) light_source{<0,0,100>, rgb 1} plane{-z,0 pigment{rgb 1} finish{A0} no_shadow}", 0, 0, 0});
   cases.push_back({"26Double", "CAM(0) light_source{<0,0,100>, rgb 1} plane{-z,0 pigment{rgb 1} finish{A0} double_illuminate}", 1, 1, 1});
   cases.push_back({"26Back", "CAM(0) light_source{<0,0,100>, rgb 1} plane{-z,0 pigment{rgb 1} finish{ambient 0 diffuse .3,.4 brilliance 1}}",
@@ -185,10 +204,6 @@ std::vector<Case> light_cases() {
                                "light_source{<0,0,10>, rgb 1 parallel point_at <0,0,20> ";
   cases.push_back({"29", parallel + "}", 1, 1, 1});
   cases.push_back({"29Fade", parallel + "fade_distance 5 fade_power 2}", .4f, .4f, .4f});
-  cases.push_back({"30", "camera{orthographic location <3,0,-5> direction z right x*.01 up y*.01} light_source{<0,0,-10>, rgb 1 spotlight "
-                         "parallel radius 10 falloff 20 point_at 0} plane{-z,0 pigment{rgb 1} finish{A0}}", 1, 1, 1});
-  cases.push_back({"34", "CAM(0) light_source{<0,0,-100>, rgb .1} sphere{-3*z,1 pigment{rgbf <1,1,1,.5>} finish{caustics .1} no_image} "
-                         "plane{-z,0 pigment{rgb 1} finish{A0}}", .1f, .1f, .1f});
   return cases;
 }
 
@@ -250,7 +265,10 @@ TEST_P(ShadingCase, HasTheMeasuredColor) {
 const auto kName = [](const ::testing::TestParamInfo<Case>& info) { return info.param.name; };
 INSTANTIATE_TEST_SUITE_P(Finish, ShadingCase, ::testing::ValuesIn(finish_cases()), kName);
 INSTANTIATE_TEST_SUITE_P(MirrorAndGlass, ShadingCase, ::testing::ValuesIn(mirror_and_glass_cases()), kName);
-INSTANTIATE_TEST_SUITE_P(Light, ShadingCase, ::testing::ValuesIn(light_cases()), kName);
+INSTANTIATE_TEST_SUITE_P(LightCone, ShadingCase, ::testing::ValuesIn(light_cone_cases()), kName);
+INSTANTIATE_TEST_SUITE_P(AreaLight, ShadingCase, ::testing::ValuesIn(area_light_cases()), kName);
+INSTANTIATE_TEST_SUITE_P(Shadow, ShadingCase, ::testing::ValuesIn(shadow_cases()), kName);
+INSTANTIATE_TEST_SUITE_P(LightPosition, ShadingCase, ::testing::ValuesIn(light_position_cases()), kName);
 INSTANTIATE_TEST_SUITE_P(Surroundings, ShadingCase, ::testing::ValuesIn(surroundings_cases()), kName);
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "compare/process.hpp"
 #include "compare/scratch_folder.hpp"
+#include "tests/file_text.hpp"
 
 namespace lute::compare {
 namespace {
@@ -16,17 +17,12 @@ namespace fs = std::filesystem;
 
 const fs::path kFolder = LUTE_SOURCE_DIR "/tests/parser/diagnostic";
 
-std::string content(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 struct Golden {
   std::string scene, message;  // the first error's
 };
 
 std::vector<Golden> golden_scenes() {
-  const std::string text = content(kFolder / "errors.golden");
+  const std::string text = test::file_text(kFolder / "errors.golden");
   const std::string scene_mark = "==== scene\n", says_mark = "---- says\n", error_mark = ": error: ";
   std::vector<Golden> all;
   for (std::size_t at = text.find(scene_mark); at != std::string::npos;) {
@@ -62,7 +58,7 @@ std::string reference_message(const std::string& scene) {
   request.standard_error = folder.path() / "said";
   request.time_limit = 20;
   run_process(request);
-  const std::string said = content(request.standard_error);
+  const std::string said = test::file_text(request.standard_error);
   static const std::regex pattern(R"(line \d+: Parse Error: ([^]*?)\n(?:Fatal error|====))");
   std::smatch found;
   if (!std::regex_search(said, found, pattern)) return "";

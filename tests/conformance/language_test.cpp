@@ -9,6 +9,7 @@
 
 #include "compare/process.hpp"
 #include "compare/scratch_folder.hpp"
+#include "tests/file_text.hpp"
 
 namespace lute::compare {
 namespace {
@@ -16,11 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kScenes = LUTE_SOURCE_DIR "/tests/conformance/language";
-
-std::string content(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -47,8 +43,8 @@ std::unique_ptr<Run> run(const std::string& program, const std::string& scene, c
   request.standard_error = run->folder.path() / "said.txt";
   request.time_limit = 60;
   run->result = run_process(request);
-  run->written = content(run->folder.path() / "out.txt");
-  run->said = content(request.standard_error);
+  run->written = test::file_text(run->folder.path() / "out.txt");
+  run->said = test::file_text(request.standard_error);
   return run;
 }
 
@@ -63,7 +59,7 @@ class LanguageScene : public testing::TestWithParam<std::string> {};
 
 // Line by line, so that a failure shows the line; then the whole.
 TEST_P(LanguageScene, WritesWhatTheReferenceWrites) {
-  const std::string scene = content(kScenes / (GetParam() + ".pov"));
+  const std::string scene = test::file_text(kScenes / (GetParam() + ".pov"));
   ASSERT_FALSE(scene.empty());
   const auto lute = run_lute(scene, {"-V"});
   const auto reference = run_reference(scene, {"-V"});
@@ -83,12 +79,12 @@ INSTANTIATE_TEST_SUITE_P(All, LanguageScene,
                          [](const auto& test) { return test.param; });
 
 TEST(DebugStream, ShowsWhatTheReferenceShows) {
-  const std::string scene = content(kScenes / "debug.pov");
+  const std::string scene = test::file_text(kScenes / "debug.pov");
   const auto lute = run_lute(scene, {"-V", "-GW"});
   const auto reference = run_reference(scene, {"+GDdebug.txt", "-GA"});
   ASSERT_TRUE(reference->result.succeeded()) << reference->said;
   ASSERT_TRUE(lute->result.succeeded()) << lute->said;
-  EXPECT_EQ(lute->said, content(reference->folder.path() / "debug.txt"));
+  EXPECT_EQ(lute->said, test::file_text(reference->folder.path() / "debug.txt"));
 }
 
 // What a scene sees of the command line: chapter 10 §12, check case 15.
@@ -110,7 +106,7 @@ TEST(PredeclaredNames, AreTheReferences) {
     for (int frame = 0; frame <= 4; ++frame) {
       const std::string name = "out" + std::to_string(frame) + ".txt";
       if (fs::exists(reference->folder.path() / name)) ++files;
-      EXPECT_EQ(content(lute->folder.path() / name), content(reference->folder.path() / name)) << shown << name;
+      EXPECT_EQ(test::file_text(lute->folder.path() / name), test::file_text(reference->folder.path() / name)) << shown << name;
     }
     EXPECT_EQ(files, 1) << shown;
   }

@@ -1,4 +1,8 @@
 // The parser's entry: scene text in, scene description and diagnostics out.
+//
+// Errors: whatever is wrong with the scene, a missing file and a used-up limit included, is a diagnostic, and `ok` is false; reading
+// goes on after an error where that makes sense (parser/recovery). Nothing is thrown but std::bad_alloc and what the callbacks throw.
+// Units are those of the scene; degrees stay degrees. Source: specification chapter 10.
 #pragma once
 
 #include <cstdint>
@@ -51,7 +55,8 @@ struct ParseResult {
 
 ParseResult parse_scene(const ParseOptions& options);
 
-// The token stream of a file as text, one token a line: `line:column kind text`. For --dump-tokens.
+// The tokens of a file as text, one a line: `line:column kind text`, directives not run. For --dump-tokens. Errors: what is no token is
+// shown as `error` or `other`; nothing fails.
 std::string dump_tokens(const std::string& file_name, std::string_view text);
 
 }  // namespace lute

@@ -1,4 +1,6 @@
 // The bytes of a file, read in order and never beyond the end.
+// Errors: std::runtime_error whose text goes on after the file's name, "it cannot be opened", "it ends too early"; the image readers add
+// the name. Positions and sizes are bytes.
 #pragma once
 
 #include <cstdint>

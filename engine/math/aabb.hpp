@@ -1,4 +1,5 @@
-// Axis-aligned boxes, closed, in world units. An unbounded object has infinite sides.
+// Axis-aligned boxes, closed, in world units (where a shape says so, in its own). An unbounded object has infinite sides. No
+// operation fails. Source: Kay and Kajiya 1986; the surface area heuristic is Goldsmith's and Salmon's of 1987.
 #pragma once
 
 #include <limits>

@@ -1,4 +1,6 @@
-// The picture while it is computed: five-channel colours in the scene's working space, never clipped.
+// The picture while it is computed: five-channel colours (rgb, filter, transmit) in the scene's working space, linear light unless
+// assumed_gamma says otherwise, never clipped. Columns and rows count from the top left; positions are not checked.
+// Source: specification chapter 30 §8.
 #pragma once
 
 #include <cstddef>

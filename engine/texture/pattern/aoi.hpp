@@ -1,4 +1,8 @@
-// aoi: the angle between ray and surface; 1 head-on, 0.5 grazing (specification chapter 50 §6.7).
+// aoi: the angle between ray and surface
+//
+// Value: 0...1, the angle from normal to ray over π: 1 head-on, 0.5 grazing; 0 where there is no surface (sky, functions). The normal
+// is the one perturbed so far. No parameters.
+// Source: specification chapter 50 §6.7.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

@@ -1,4 +1,7 @@
-// bozo: plain noise (specification chapter 50 §6).
+// bozo: plain noise
+//
+// Value: the noise at the point, 0...1. No parameters.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

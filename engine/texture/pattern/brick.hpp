@@ -1,4 +1,8 @@
-// brick mortar, brick { brick_size <x, y, z> mortar thickness } (specification chapter 50 §6.1).
+// brick mortar, brick { brick_size <x, y, z> mortar thickness }: a wall of bricks, every second course shifted by half a brick
+//
+// Value: 0 in the mortar, 1 in a brick; not processed by frequency, phase and wave. brick_size (default <8, 3, 4.5>) is the distance
+// from one brick to the next, mortar (default 0.5) the gap between them.
+// Source: specification chapter 50 §6.1.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

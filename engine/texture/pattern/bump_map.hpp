@@ -1,4 +1,8 @@
-// bump_map { IMAGE ... }, normals only: the image as heights (specification chapter 50 §11.4).
+// bump_map { IMAGE ... }, normals only: the image as heights
+//
+// Value (in a normal_map): the height 0...1, grey or palette index; 0 outside of a `once` image. The normal itself is tilted by the
+// heights of three neighbouring pixels times bump_size. mapping: how the image lies (engine/texture/image_mapping.hpp).
+// Source: specification chapter 50 §11.4.
 #pragma once
 
 #include "engine/texture/image_mapping.hpp"

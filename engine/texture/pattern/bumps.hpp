@@ -1,4 +1,7 @@
-// bumps: plain noise; as a normal, vector noise (specification chapter 50 §6, §13.2).
+// bumps: plain noise; as a normal, vector noise
+//
+// Value: the noise at the point, 0...1. Normal: n + amount · D(p). No parameters.
+// Source: specification chapter 50 §6, §13.2.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

@@ -1,4 +1,7 @@
-// cells: one random value for each unit cube (specification chapter 50 §6).
+// cells: one random value for each unit cube
+//
+// Value: 0...1, the same everywhere in a cube with whole corners; cubes repeat every 4096 units. No parameters.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

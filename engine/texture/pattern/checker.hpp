@@ -1,4 +1,7 @@
-// checker A, B: unit cubes in two colours (specification chapter 50 §6).
+// checker A, B: unit cubes in two colours
+//
+// Value: 0 or 1, the parity of the sum of the rounded-down coordinates; not processed by frequency, phase and wave. No parameters.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

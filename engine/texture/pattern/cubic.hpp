@@ -1,4 +1,7 @@
-// cubic A ... F: six colours by the face of a cube that a direction meets (specification chapter 50 §6.3).
+// cubic A ... F: six colours by the face of a cube that a direction meets
+//
+// Value: 0...5 for +x, +y, +z, -x, -y, -z, ties go to the earlier; not processed by frequency, phase and wave. No parameters.
+// Source: specification chapter 50 §6.3.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

@@ -1,4 +1,7 @@
-// cylindrical: 1 on the y axis falling to 0 at distance 1 (specification chapter 50 §6).
+// cylindrical: 1 on the y axis falling to 0 at distance 1
+//
+// Value: 0...1, 1 - √(x² + z²), 0 farther out. No parameters.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

@@ -1,4 +1,8 @@
-// density_file df3 "name" { interpolate n } (specification chapter 50 §6.5).
+// density_file df3 "name" { interpolate n }: a volume of densities that fills the unit cube
+//
+// Value: 0...1, where cubic interpolation may overshoot 1; 0 outside of the cube. interpolate (default 0): none, 1 trilinear, else
+// tricubic; only n mod 10 counts. The volume is read, and its errors are reported, by engine/image/density_volume.hpp.
+// Source: specification chapter 50 §6.5.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,7 @@
-// dents: noise cubed; as a normal, vector noise scaled by it (specification chapter 50 §6, §13.2).
+// dents: noise cubed; as a normal, vector noise scaled by it
+//
+// Value: 0...1, noise³. Normal: n + amount · noise³ · D(p). No parameters.
+// Source: specification chapter 50 §6, §13.2.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

@@ -1,4 +1,9 @@
-// What mandel, julia and magnet have in common: counting the steps until z escapes (specification chapter 50 §6.6).
+// What mandel, julia and magnet have in common: counting the steps until z escapes
+//
+// Value: exterior_type and exterior_factor choose it for points that escape (default 1, 1: the step over iterations), interior_type and
+// interior_factor for those that do not (default 0, 1: the constant 1); any number, wrapped later as that of all patterns. z escapes
+// where |z| > 2, with magnet where |z| > 100 or |z - 1| < 0.01. x and y count, z does not. Types out of range are errors of the parser.
+// Source: specification chapter 50 §6.6.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

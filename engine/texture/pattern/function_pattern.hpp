@@ -1,4 +1,7 @@
-// function { expression in x, y, z } (specification chapter 50 §6).
+// function { expression in x, y, z }: the expression's value
+//
+// Value: any number; above 1 only its fractional part counts, below 0 it is wrapped later as that of all patterns.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,8 @@
-// gradient <direction>: the fractional part of the distance along a direction (specification chapter 50 §6).
+// gradient <direction>: the distance along a direction, modulo 1
+//
+// Value: below 1; above 1 the fractional part of the distance along the direction, negative ones are wrapped later as those of all
+// patterns. direction: any vector but 0, kept with length 1.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

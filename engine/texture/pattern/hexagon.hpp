@@ -1,4 +1,8 @@
-// hexagon A, B, C: a tiling of the x-z plane in three colours (specification chapter 50 §6.2).
+// hexagon A, B, C: a tiling of the x-z plane in three colours
+//
+// Value: 0, 1 or 2; hexagons have side 1. x counts as |x|, so that the tiling is mirrored at x = 0. Not processed by frequency, phase
+// and wave. No parameters.
+// Source: specification chapter 50 §6.2.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

@@ -1,4 +1,8 @@
-// image_map { IMAGE ... }, pigments only: the colours of an image (specification chapter 50 §11).
+// image_map { IMAGE ... }, pigments only: the colours of an image
+//
+// Value: the grey of the colour, 0...1; a pigment takes the colour itself. mapping: how the image lies, transparency: `filter` and
+// `transmit` of the statement (both engine/texture/image_mapping.hpp).
+// Source: specification chapter 50 §11.
 #pragma once
 
 #include "engine/texture/image_mapping.hpp"

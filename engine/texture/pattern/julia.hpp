@@ -1,4 +1,7 @@
-// julia <re, im>, iterations { exponent e exterior t, f interior t, f } (specification chapter 50 §6.6).
+// julia <re, im>, iterations { exponent e exterior t, f interior t, f }: steps z^e + c until z escapes
+//
+// z starts at x + iy, c is the constant. exponent 2 (default) to 33. Values and the other parameters: engine/texture/pattern/fractal.hpp.
+// Source: specification chapter 50 §6.6.
 #pragma once
 
 #include "engine/texture/pattern/fractal.hpp"

@@ -1,4 +1,7 @@
-// leopard: squared mean of three sines (specification chapter 50 §6).
+// leopard: squared mean of three sines
+//
+// Value: 0...1, ((sin x + sin y + sin z) / 3)², angles in radians. No parameters.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

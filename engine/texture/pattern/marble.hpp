@@ -1,4 +1,8 @@
-// marble: bands along x, disturbed by turbulence (specification chapter 50 §6).
+// marble: bands along x, disturbed by turbulence
+//
+// Value: x, plus turbulence times its amount along x where the statement has turbulence; any number, made a triangle wave later.
+// No parameters of its own.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

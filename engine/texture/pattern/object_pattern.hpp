@@ -1,4 +1,7 @@
-// object { OBJECT outside, inside }: 1 inside an object, 0 outside (specification chapter 50 §6).
+// object { OBJECT outside, inside }: whether a point is inside an object
+//
+// Value: 1 inside, 0 outside; not processed by frequency, phase and wave.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include <memory>

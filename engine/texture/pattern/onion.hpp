@@ -1,4 +1,7 @@
-// onion: concentric shells around the origin (specification chapter 50 §6).
+// onion: concentric shells around the origin
+//
+// Value: 0...1, the fractional part of the distance from the origin. No parameters.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

@@ -1,5 +1,10 @@
 // What all patterns share. A pattern maps a point of pattern space to a value.
 //
+// The head of each pattern says which values evaluate() gives. What comes after is the same for all (chapter 50 §4): with a frequency
+// of 0 the value is taken as it is; otherwise value · frequency + phase, modulo 1.00001, negative ones wrapped into 0...1, then the
+// wave. Lengths are units of the pattern's own space, after its transformations and warps. No pattern fails: what cannot be evaluated
+// is an error of the parser.
+//
 // To add a pattern, write `engine/texture/pattern/<name>.{hpp,cpp}` with
 //   * a plain struct derived from PatternDefaults, its parameters as the scene file says them, with `kKeyword`;
 //   * `double evaluate(const Name&, const dvec3& point, const PatternContext&)`;

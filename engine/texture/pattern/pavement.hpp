@@ -1,5 +1,10 @@
-// pavement { number_of_sides 3|4|6 number_of_tiles n pattern p form f interior i exterior e }: polyomino pavings of the x-z plane
-// (specification chapter 50 §8).
+// pavement { number_of_sides 3|4|6 number_of_tiles n pattern p form f interior i exterior e }: pavings of the x-z plane by tiles of
+// triangles, squares or hexagons
+//
+// Value: 0...1, 1 on the edges of tiles. Cells have side 1. sides (default 3), tiles (1): cells in a tile; pattern (1): 1 to
+// pavement_pattern_count(). form, interior, exterior (0): how corners of tiles are drawn; the last two count modulo 3, form modulo 4
+// for squares, otherwise 3.
+// Source: specification chapter 50 §8.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

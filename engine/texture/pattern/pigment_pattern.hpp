@@ -1,4 +1,8 @@
-// pigment_pattern { PIGMENT }: the grey of a pigment (specification chapter 50 §6).
+// pigment_pattern { PIGMENT }: the grey of a pigment
+//
+// Value: the grey of its colour at the point, 0...1 for colours in that range; transparency does not count, outside of a `once` image
+// it is 0.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,8 @@
-// ripples: circular waves from number_of_waves sources (specification chapter 50 §6, §13.2).
+// ripples: circular waves from number_of_waves sources
+//
+// Value: 0...1, the mean of the sources' sines. Normal: tilted along the way from each source. frequency and phase count inside the
+// sines, and once more with the wave. The sources: engine/texture/pattern/wave_sources.hpp. No parameters of its own.
+// Source: specification chapter 50 §6, §13.2.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

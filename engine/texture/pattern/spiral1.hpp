@@ -1,4 +1,7 @@
-// spiral1 arms: a spiral around the z axis (specification chapter 50 §6).
+// spiral1 arms: a spiral around the z axis
+//
+// Value: any number, the phase of engine/texture/pattern/spiral.hpp, made a triangle wave later. arms: 16 bits, may be negative.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

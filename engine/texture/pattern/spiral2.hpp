@@ -1,4 +1,8 @@
-// spiral2 arms: a spiral around the z axis crossed with rings (specification chapter 50 §6).
+// spiral2 arms: a spiral around the z axis crossed with rings
+//
+// Value: 0...2, the triangle wave of the distance from the axis plus that of the spiral's phase (engine/texture/pattern/spiral.hpp),
+// made a triangle wave once more later. arms: 16 bits, may be negative.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

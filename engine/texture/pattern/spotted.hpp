@@ -1,4 +1,7 @@
-// spotted: plain noise, as bozo (specification chapter 50 §6).
+// spotted: plain noise, as bozo
+//
+// Value: the noise at the point, 0...1. No parameters.
+// Source: specification chapter 50 §6.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

@@ -1,4 +1,7 @@
-// square A, B, C, D: unit squares of the x-z plane in four colours (specification chapter 50 §6.3).
+// square A, B, C, D: unit squares of the x-z plane in four colours
+//
+// Value: 0...3 by the parities of the rounded-down x and z; not processed by frequency, phase and wave. No parameters.
+// Source: specification chapter 50 §6.3.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

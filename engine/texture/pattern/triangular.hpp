@@ -1,4 +1,7 @@
-// triangular A ... F: a tiling of the x-z plane by triangles in six colours (specification chapter 50 §6.3).
+// triangular A ... F: a tiling of the x-z plane by triangles in six colours
+//
+// Value: 0...5; triangles have side 1. Not processed by frequency, phase and wave. No parameters.
+// Source: specification chapter 50 §6.3.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

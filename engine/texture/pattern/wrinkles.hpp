@@ -1,4 +1,7 @@
-// wrinkles: ten octaves of noise (specification chapter 50 §6, §13.2).
+// wrinkles: ten octaves of noise
+//
+// Value: 0...1, half the sum of noise(2^i p) / 2^i. Normal: n + amount · Σ |D(2^i p)| / 2^i. No parameters.
+// Source: specification chapter 50 §6, §13.2.
 #pragma once
 
 #include "engine/texture/pattern/pattern.hpp"

@@ -31,7 +31,13 @@ void redirect(const char* path, int flags, int target) {
   redirect("/dev/null", O_RDONLY, STDIN_FILENO);
   redirect(request.standard_output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
   redirect(request.standard_error.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
-  if (request.memory_limit > 0) {
+  // The sanitizer of addresses reserves terabytes of them.
+#ifdef __SANITIZE_ADDRESS__
+  constexpr bool kLimits = false;
+#else
+  constexpr bool kLimits = true;
+#endif
+  if (kLimits && request.memory_limit > 0) {
     const rlimit limit{request.memory_limit, request.memory_limit};
     setrlimit(RLIMIT_AS, &limit);
   }

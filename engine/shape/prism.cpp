@@ -133,7 +133,7 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
       for (const double height : {high_, low_}) {
         const double t = (height - local.origin.y) / dy;
         const dvec3 p = local.at(t);
-        if (in_section(p.x, p.z, height) && sink(t / length, kCaps)) return;
+        if (in_section(p.x, p.z, height)) sink(t / length, kCaps);
       }
     }
     const Section passage = section_between(local, low_, high_);
@@ -141,10 +141,14 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
       if (!passage.meets(segments_[i])) continue;
       const auto emit = [&](double t, double w) {
         const double y = local.origin.y + t * dy;
-        return y >= low_ && y <= high_ &&
-               sink(t / length, kFirstSegment + static_cast<std::uint32_t>(i), std::array<double, 3>{w, 0, 0});
+        if (y >= low_ && y <= high_)
+          sink(t / length, kFirstSegment + static_cast<std::uint32_t>(i), std::array<double, 3>{w, 0, 0});
       };
-      if (conic_ ? scan_conic_side(segments_[i], local, emit) : scan_side(segments_[i], local, emit)) return;
+      if (conic_) {
+        scan_conic_side(segments_[i], local, emit);
+      } else {
+        scan_side(segments_[i], local, emit);
+      }
     }
   }
 
@@ -250,14 +254,13 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     return odd;
   }
 
-  // These return true as soon as emit() does: the ray needs no more hits.
   template <class Emit>
-  bool scan_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
+  void scan_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
     const dvec3& p = ray.origin;
     const dvec3& d = ray.direction;
-    if (std::abs(d.x) <= kEpsilon && std::abs(d.z) <= kEpsilon) return false;
+    if (std::abs(d.x) <= kEpsilon && std::abs(d.z) <= kEpsilon) return;
     if (degree_ == 1) return scan_straight_side(segment, ray, emit);
-    if (segment.is_beside({d.z, -d.x, d.x * p.z - d.z * p.x})) return false;
+    if (segment.is_beside({d.z, -d.x, d.x * p.z - d.z * p.x})) return;
     const std::array<double, 4> x = segment.curve.coefficients(0);
     const std::array<double, 4> z = segment.curve.coefficients(1);
     std::array<double, 4> c;
@@ -266,34 +269,33 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     for (const double root : roots_of(c)) {
       const double w = std::clamp(root, 0.0, 1.0);
       const dvec2 at = segment.curve.at(w);
-      if (emit(std::abs(d.x) > std::abs(d.z) ? (at.x - p.x) / d.x : (at.y - p.z) / d.z, w)) return true;
+      emit(std::abs(d.x) > std::abs(d.z) ? (at.x - p.x) / d.x : (at.y - p.z) / d.z, w);
     }
-    return false;
   }
 
   // A straight segment is hit where its ends lie on different sides of the ray's line; what lies on the line counts with one of
   // them. Segments that meet compute the same number for the corner they share, so that a ray through it hits exactly one of them,
   // or none or both where the outline only touches the line, and of two prisms side by side exactly one.
   template <class Emit>
-  bool scan_straight_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
+  void scan_straight_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
     const dvec3& p = ray.origin;
     const dvec3& d = ray.direction;
     const auto side = [&](const dvec2& at) { return d.z * (at.x - p.x) - d.x * (at.y - p.z); };
     const double from = side(segment.from), to = side(segment.to);
-    if ((from >= 0) == (to >= 0)) return false;
+    if ((from >= 0) == (to >= 0)) return;
     const double w = from / (from - to);
     const dvec2 at = segment.from + w * (segment.to - segment.from);
-    return emit(std::abs(d.x) > std::abs(d.z) ? (at.x - p.x) / d.x : (at.y - p.z) / d.z, w);
+    emit(std::abs(d.x) > std::abs(d.z) ? (at.x - p.x) / d.x : (at.y - p.z) / d.z, w);
   }
 
   template <class Emit>
-  bool scan_conic_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
+  void scan_conic_side(const PrismSegment& segment, const Ray& ray, Emit&& emit) const {
     const dvec3& p = ray.origin;
     const dvec3& d = ray.direction;
     const double k1 = p.z * d.y - p.y * d.z;
     const double k2 = p.y * d.x - p.x * d.y;
     const double k3 = p.x * d.z - p.z * d.x;
-    if (segment.is_beside({k1, k2, k3})) return false;
+    if (segment.is_beside({k1, k2, k3})) return;
     const std::array<double, 4> x = segment.curve.coefficients(0);
     const std::array<double, 4> z = segment.curve.coefficients(1);
     std::array<double, 4> c;
@@ -305,9 +307,8 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
       const double by_x = d.x - at.x * d.y;
       const double by_z = d.z - at.y * d.y;
       if (std::max(std::abs(by_x), std::abs(by_z)) <= kEpsilon) continue;
-      if (emit(std::abs(by_x) > std::abs(by_z) ? (at.x * p.y - p.x) / by_x : (at.y * p.y - p.z) / by_z, w)) return true;
+      emit(std::abs(by_x) > std::abs(by_z) ? (at.x * p.y - p.x) / by_x : (at.y * p.y - p.z) / by_z, w);
     }
-    return false;
   }
 
   Roots<3> roots_of(const std::array<double, 4>& c) const { return solve_cubic(c, kSegment); }

@@ -62,6 +62,9 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
   struct Along {
     double f, slope;
   };
+  struct Sample {
+    double t, f;
+  };
 
   // With exponents of at least 1 the value is a norm minus 1, and so a convex function of the depth: a ray has at most one entry and
   // one exit.
@@ -118,24 +121,19 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
   void scan_samples(const Ray& local, Interval stretch, double scale, Sink& sink) const {
     std::array<double, 11> samples;
     const std::size_t count = sample_depths(local, stretch, samples);
-    double f_before = value(local.at(samples[0]));
-    if (std::abs(f_before) < kOnSurface) sink(samples[0] * scale, 0);
+    Sample before{samples[0], value(local.at(samples[0]))};
+    if (std::abs(before.f) < kOnSurface && sink(before.t * scale, 0)) return;
     for (std::size_t i = 1; i < count; ++i) {
-      const double before = samples[i - 1];
-      const double here = samples[i];
-      const double f = value(local.at(here));
-      if (std::abs(f) < kOnSurface) {
-        sink(here * scale, 0);
-      } else if (f_before * f < 0 && std::abs(f_before) >= kOnSurface) {
-        sink(crossing(local, before, here, f_before) * scale, 0);
-      } else if (f_before > 0 && f > 0) {
-        double dip = 0;
-        if (finds_dip(local, before, here, dip)) {
-          sink(crossing(local, before, dip, f_before) * scale, 0);
-          sink(crossing(local, dip, here, -1) * scale, 0);
-        }
+      const Sample here{samples[i], value(local.at(samples[i]))};
+      Sample dip;
+      if (std::abs(here.f) < kOnSurface) {
+        if (sink(here.t * scale, 0)) return;
+      } else if (before.f * here.f < 0 && std::abs(before.f) >= kOnSurface) {
+        if (sink(crossing(local, before, here) * scale, 0)) return;
+      } else if (before.f > 0 && here.f > 0 && finds_dip(local, before, here, dip)) {
+        if (sink(crossing(local, before, dip) * scale, 0) || sink(crossing(local, dip, here) * scale, 0)) return;
       }
-      f_before = f;
+      before = here;
     }
   }
 
@@ -187,20 +185,22 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
 
   // Golden section search for a point with a negative value between two points with positive ones, ended early where the value
   // falls towards an end: then the least value is that end's.
-  bool finds_dip(const Ray& ray, double lo, double hi, double& dip) const {
+  bool finds_dip(const Ray& ray, Sample first, Sample last, Sample& dip) const {
     constexpr double kGolden = 0.3819660112501051;
+    double lo = first.t;
+    double hi = last.t;
     const double width = hi - lo;
     if (!(width > 0)) return false;
     const auto f = [&](double t) { return value(ray.at(t)); };
     const double step = 1e-4 * width;
-    if (f(lo + step) >= f(lo) || f(hi - step) >= f(hi)) return false;
+    if (f(lo + step) >= first.f || f(hi - step) >= last.f) return false;
     double a = lo + kGolden * width;
     double b = hi - kGolden * width;
     double fa = f(a);
     double fb = f(b);
     while (hi - lo > 1e-9 * width) {
       if (fa < 0 || fb < 0) {
-        dip = fa < 0 ? a : b;
+        dip = fa < 0 ? Sample{a, fa} : Sample{b, fb};
         return true;
       }
       if (fa < fb) {
@@ -220,28 +220,29 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
     return false;
   }
 
-  // Illinois regula falsi between points of opposite sign.
-  double crossing(const Ray& ray, double lo, double hi, double sign_lo) const {
-    double f_lo = value(ray.at(lo));
-    double f_hi = value(ray.at(hi));
-    if (f_lo * sign_lo < 0) return lo;
-    for (int step = 0; step < 100 && hi - lo > 4e-16 * std::abs(hi); ++step) {
-      double t = step % 3 == 2 ? 0.5 * (lo + hi) : hi - f_hi * (hi - lo) / (f_hi - f_lo);
-      if (!(t > lo && t < hi)) t = 0.5 * (lo + hi);
-      const double f = value(ray.at(t));
-      if (std::abs(f) < 1e-15) return t;
-      if ((f < 0) == (f_lo < 0)) {
-        lo = t;
-        f_lo = f;
-        f_hi *= 0.5;
-      } else {
-        hi = t;
-        f_hi = f;
-        f_lo *= 0.5;
-      }
-      if (std::abs(hi - lo) < 1e-13) break;
+  // Newton's method between samples of opposite sign, with halving wherever it leaves them or slows down.
+  double crossing(const Ray& ray, Sample first, Sample last) const {
+    double lo = first.t;
+    double hi = last.t;
+    double t = lo + (hi - lo) * (first.f / (first.f - last.f));
+    double step_before = hi - lo;
+    bool newton_before = false;
+    for (int count = 0; count < 100; ++count) {
+      const Along here = along(ray, t);
+      if (std::abs(here.f) <= 4 * std::numeric_limits<double>::epsilon()) return t;
+      ((here.f > 0) == (first.f > 0) ? lo : hi) = t;
+      double next = t - here.f / here.slope;
+      const bool newton = next >= lo && next <= hi && 2 * std::abs(next - t) <= step_before;
+      if (!newton) next = 0.5 * (lo + hi);
+      const double step = std::abs(next - t);
+      // The steps shrink as their squares do: the one after this would be below the rounding.
+      if (newton && newton_before && step * step * step <= 1e-16 * step_before * step_before) return next;
+      if (hi - lo <= 4e-16 * std::abs(hi)) return next;
+      t = next;
+      step_before = step;
+      newton_before = newton;
     }
-    return 0.5 * (lo + hi);
+    return t;
   }
 
   double alpha_, gamma_;

@@ -207,16 +207,20 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     return {3 * ((z.x * z.x - d) * v.x - z.x * tau), v.y * k + z.y * tau2, v.z * k + z.z * tau2, v.w * k + z.w * tau2};
   }
 
+  dvec4 other_slope(const dvec4& z) const {
+    if (f_.function == Function::kReciprocal) return -hypercomplex_square(hypercomplex_reciprocal(z));
+    return by_function_ ? hypercomplex_function(f_.function, f_.exponent, z) : z;
+  }
+
   dvec3 hypercomplex_normal(const Orbit& orbit, std::size_t n) const {
     dvec4 h = orbit[0];
-    for (std::size_t j = 1; j < n; ++j) {
-      dvec4 factor = orbit[j];
-      if (by_function_) factor = hypercomplex_function(f_.function, f_.exponent, factor);
-      if (f_.function == Function::kReciprocal) factor = -hypercomplex_square(hypercomplex_reciprocal(factor));
-      h = hypercomplex_product(h, factor);
-    }
     dvec4 v = orbit[n];
-    if (f_.function == Function::kSqr) v *= std::ldexp(1.0, static_cast<int>(n));
+    if (f_.function == Function::kSqr) {
+      for (std::size_t j = 1; j < n; ++j) h = hypercomplex_product(h, orbit[j]);
+      v *= 1 / shares_[n];
+    } else {
+      for (std::size_t j = 1; j < n; ++j) h = hypercomplex_product(h, other_slope(orbit[j]));
+    }
     return {h.x * v.x + h.y * v.y + h.z * v.z + h.w * v.w, -h.y * v.x + h.x * v.y - h.w * v.z + h.z * v.w,
             -h.z * v.x - h.w * v.y + h.x * v.z + h.y * v.w};
   }

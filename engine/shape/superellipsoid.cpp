@@ -70,6 +70,9 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
   // one exit.
   bool convex() const { return alpha_ >= 1 && gamma_ >= 1; }
 
+  // With exponents of at most 1 it is a concave function between the planes of symmetry, and cannot dip there.
+  bool concave() const { return alpha_ <= 1 && gamma_ <= 1; }
+
   // Newton's method from the ends of the stretch never steps over a root of a convex function, and a slope away from 0 before one is
   // found says that there is none.
   template <class Sink>
@@ -130,7 +133,7 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
         if (sink(here.t * scale, 0)) return;
       } else if (before.f * here.f < 0 && std::abs(before.f) >= kOnSurface) {
         if (sink(crossing(local, before, here) * scale, 0)) return;
-      } else if (before.f > 0 && here.f > 0 && finds_dip(local, before, here, dip)) {
+      } else if (before.f > 0 && here.f > 0 && !concave() && finds_dip(local, before, here, dip)) {
         if (sink(crossing(local, before, dip) * scale, 0) || sink(crossing(local, dip, here) * scale, 0)) return;
       }
       before = here;

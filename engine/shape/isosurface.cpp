@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/function/function.hpp"
 #include "engine/shape/scanned_shape.hpp"
@@ -29,23 +30,23 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
     int count = 0;
     if (!iso_.open) {
       if (begin > accuracy) {
-        if (value(local.at(begin)) < 0) {
+        if (search.at_begin(begin) < 0) {
           if (sink(begin, kFirstFace + passage.enter)) return;
           count = 1;
           search.sign = -1;
         }
       } else {
-        if (value(local.at(begin)) < 4 * search.gradient * accuracy) {
+        if (search.at_begin(begin) < 4 * search.gradient * accuracy) {
           begin = 5 * accuracy;
-          if (value(local.at(begin)) < 0) search.sign = -1;
+          if (search.at_begin(begin) < 0) search.sign = -1;
         }
-        if (value(local.at(end)) < 0) sink(end, kFirstFace + passage.leave);
+        if (search.at_end(end) < 0) sink(end, kFirstFace + passage.leave);
       }
     }
     if (end - begin < accuracy) return;
-    if (begin < accuracy && search.sign > 0 && std::abs(value(local.at(begin))) < 4 * search.gradient * accuracy) {
+    if (begin < accuracy && search.sign > 0 && std::abs(search.at_begin(begin)) < 4 * search.gradient * accuracy) {
       begin = 5 * accuracy;
-      if (value(local.at(begin)) < 0) search.sign = -1;
+      if (search.at_begin(begin) < 0) search.sign = -1;
     }
     for (; count < iso_.max_trace && begin <= range.hi; ++count) {
       double root = 0;
@@ -85,16 +86,30 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
     double gradient;
     double sign;
 
+    struct Known {
+      double t = std::numeric_limits<double>::quiet_NaN(), value = 0;
+    };
+    Known last_begin{}, last_end{};
+
+    double known(Known& last, double t) const {
+      if (last.t != t) last = {t, surface.value(ray.at(t))};
+      return last.value;
+    }
+
     double at(double t) const { return sign * surface.value(ray.at(t)); }
 
+    // At the ends, without the sign. They are asked for again and again, and the function is dear.
+    double at_begin(double t) { return known(last_begin, t); }
+    double at_end(double t) { return known(last_end, t); }
+
     bool first_root(double begin, double end, double& root) {
-      double f = at(begin);
+      double f = sign * at_begin(begin);
       if (surface.iso_.open && f < 0) {
         sign = -sign;
         f = -f;
       }
       if (const auto& e = surface.iso_.evaluate; e && gradient > (*e)[0]) gradient *= (*e)[2];
-      return bisect(begin, f, at(end), end - begin, gradient * length * (end - begin), root);
+      return bisect(begin, f, sign * at_end(end), end - begin, gradient * length * (end - begin), root);
     }
 
     // f1 and f2 are the values at both ends; m bounds how much the function can change between them.

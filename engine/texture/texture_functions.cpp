@@ -12,6 +12,9 @@ TextureSettings settings_for(int noise_generator, const InsideTestMaker& inside_
   return settings;
 }
 
+// Functions know of no surface.
+const SurfaceContext kNoSurface;
+
 class PigmentFunction final : public Function {
  public:
   PigmentFunction(const PigmentPtr& pigment, const TextureSettings& settings)
@@ -19,9 +22,12 @@ class PigmentFunction final : public Function {
 
   void evaluate(const double* arguments, double* results) const override {
     Color c;
-    pigment_->evaluate({arguments[0], arguments[1], arguments[2]}, SurfaceContext{}, c);
-    const float values[5] = {c.rgb.r, c.rgb.g, c.rgb.b, c.filter, c.transmit};
-    for (int i = 0; i < 5; ++i) results[i] = static_cast<double>(values[i]);
+    pigment_->evaluate({arguments[0], arguments[1], arguments[2]}, kNoSurface, c);
+    results[0] = static_cast<double>(c.rgb.r);
+    results[1] = static_cast<double>(c.rgb.g);
+    results[2] = static_cast<double>(c.rgb.b);
+    results[3] = static_cast<double>(c.filter);
+    results[4] = static_cast<double>(c.transmit);
   }
 
  private:
@@ -35,7 +41,7 @@ class PatternFunction final : public Function {
       : Function(3, 1), compiler_(settings), pattern_(body, compiler_) {}
 
   void evaluate(const double* arguments, double* results) const override {
-    results[0] = pattern_.value(pattern_.warp({arguments[0], arguments[1], arguments[2]}), SurfaceContext{});
+    results[0] = pattern_.value(pattern_.warp({arguments[0], arguments[1], arguments[2]}), kNoSurface);
   }
 
  private:

@@ -109,8 +109,8 @@ dvec3 apply_warps(const WarpChain& chain, dvec3 point, bool skip_classic_turbule
     if (skip_classic_turbulence && std::holds_alternative<ClassicTurbulence>(w)) continue;
     point = std::visit([&](const auto& each) { return warp(each, point); }, w);
   }
-  for (int i = 0; i < 3; ++i) point[i] = std::clamp(point[i], -1e17, 1e17);
-  return point;
+  const auto within = [](double c) { return std::clamp(c, -1e17, 1e17); };
+  return {within(point.x), within(point.y), within(point.z)};
 }
 
 void prepend_transform(WarpChain& chain, const Transform& transform) {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -38,8 +40,12 @@ std::uint32_t low_bits(double c) { return static_cast<std::uint32_t>(static_cast
 struct Place {
   dvec3 point, cube;
   explicit Place(const dvec3& p) : point(p), cube(fast_floor(p.x - kEpsilon), fast_floor(p.y - kEpsilon), fast_floor(p.z - kEpsilon)) {}
-  // Cubes side by side differ in it.
-  std::size_t number() const { return low_bits(cube.x) + 5 * std::size_t{low_bits(cube.y)} + 7 * std::size_t{low_bits(cube.z)}; }
+  // The cubes of a block of 3 x 3 x 3 differ in its last five bits.
+  std::uint64_t number() const { return last_bits(cube.x) + 3 * last_bits(cube.y) + 9 * last_bits(cube.z); }
+
+ private:
+  // The whole number's bits stand at the end of such a sum. Far away they are lost, which costs time alone.
+  static std::uint64_t last_bits(double c) { return std::bit_cast<std::uint64_t>(c + 1.5 * kAllIntegers); }
 };
 
 // The cubes around a point.
@@ -82,6 +88,44 @@ struct Nearest {
     }
     return true;
   }
+};
+
+// Two doubles of one register.
+using Two = double __attribute__((vector_size(16)));
+
+// The smaller one; `b` if `a` is not a number.
+template <class T>
+T smaller(T a, T b) { return a < b ? a : b; }
+template <class T>
+T larger(T a, T b) { return a > b ? a : b; }
+
+// The smallest `wanted` of the numbers seen, ascending, in each lane of T, without a branch.
+template <class T, int wanted>
+struct Smallest {
+  T d[3];
+  explicit Smallest(double start) {
+    for (T& each : d) each = T{} + start;
+  }
+  void add(T v) {
+    for (int i = 0; i < wanted; ++i) {
+      const T passed_on = larger(v, d[i]);
+      d[i] = smaller(v, d[i]);
+      v = passed_on;
+    }
+  }
+  void add(const Smallest& other) {
+    for (int i = 0; i < wanted; ++i) add(other.d[i]);
+  }
+};
+
+// The cheap powers, of one distance or two.
+struct Square {
+  template <class T>
+  T operator()(T d) const { return d * d; }
+};
+struct Magnitude {
+  double operator()(double d) const { return std::fabs(d); }
+  Two operator()(Two d) const { return larger(d, -d); }
 };
 
 // |d|^metric without pow, for multiples of 1/2.
@@ -164,7 +208,7 @@ FeaturePoints nearest_of_all(const Cubes& cubes, double metric) {
 template <std::size_t first, std::size_t count>
 struct PointBlock {
   static constexpr std::size_t kLength = (count + 3) / 4 * 4;
-  alignas(64) double x[kLength], y[kLength], z[kLength];
+  alignas(64) double x[kLength] = {}, y[kLength] = {}, z[kLength] = {};
 
   void fill(const Cubes& cubes) {
     std::fill(x, x + kLength, std::numeric_limits<double>::infinity());
@@ -187,6 +231,23 @@ struct PointBlock {
       if (distance[i] < nearest.points.distance[2]) nearest.add(distance[i], {x[i], y[i], z[i]});
   }
 
+  // The distances alone. Even and odd pairs are kept apart, so that one need not wait for the other.
+  template <int wanted, class Power>
+  void add_to(Smallest<Two, wanted>& even, Smallest<Two, wanted>& odd, const dvec3& p, const Power& power) const {
+    const auto distance = [&](std::size_t i) {
+      const auto along = [&](const double* of, double from) {
+        Two v;
+        std::memcpy(&v, of + i, sizeof v);
+        return power(from - v);
+      };
+      return along(x, p.x) + along(y, p.y) + along(z, p.z);
+    };
+    for (std::size_t i = 0; i < kLength; i += 4) {
+      even.add(distance(i));
+      odd.add(distance(i + 2));
+    }
+  }
+
   // For powers that are dear: only of what is within `radius` along every axis, which shrinks with what is found.
   template <DistancePower Power>
   void add_within(Nearest& nearest, double& radius, const dvec3& p, int wanted, const Power& power, double metric) const {
@@ -204,6 +265,16 @@ struct PointBlock {
     }
   }
 };
+
+// The smallest of all lanes.
+template <int wanted>
+Smallest<double, wanted> smallest(Smallest<Two, wanted> even, const Smallest<Two, wanted>& odd) {
+  even.add(odd);
+  Smallest<double, wanted> all(std::numeric_limits<double>::infinity());
+  for (int i = 0; i < wanted; ++i) all.d[i] = even.d[i][0];
+  for (int i = 0; i < wanted; ++i) all.add(even.d[i][1]);
+  return all;
+}
 
 // The cube with its 26 neighbours, and the cubes around those, which are at least 1 away whatever the metric: they are needed
 // seldom.
@@ -223,6 +294,17 @@ class CubePoints {
     if (nearest.points.distance[wanted - 1] > 1) outer(place).add_to(nearest, place.point, power);
     return nearest.points;
   }
+  template <int wanted, class Power>
+  dvec3 distances(const Place& place, const Power& power) {
+    Smallest<Two, wanted> even(std::numeric_limits<double>::infinity()), odd = even;
+    inner_.add_to(even, odd, place.point, power);
+    Smallest<double, wanted> all = smallest(even, odd);
+    if (all.d[wanted - 1] > 1 && all.d[wanted - 1] * kRounding >= power(nearest_outer(place))) {
+      outer(place).add_to(even, odd, place.point, power);
+      all = smallest(even, odd);
+    }
+    return {all.d[0], all.d[1], all.d[2]};
+  }
   template <DistancePower Power>
   FeaturePoints nearest(const Place& place, int wanted, const Power& power, double metric) {
     Nearest nearest;
@@ -234,6 +316,16 @@ class CubePoints {
 
  private:
   using Outer = PointBlock<kInner, kOffsets.size() - kInner>;
+
+  // No point of the outer cubes is less far away along some axis.
+  static double nearest_outer(const Place& place) {
+    double least = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double in_cube = place.point[axis] - place.cube[axis];
+      least = smaller(least, smaller(in_cube, 1 - in_cube));
+    }
+    return 1 + larger(least, 0.0);
+  }
 
   const Outer& outer(const Place& place) {
     if (!outer_filled_) outer_.fill(Cubes(place));
@@ -252,7 +344,7 @@ class CubeMemory {
  public:
   CubePoints* find(const Place& place) {
     Entry& entry = entries_[place.number() % kEntries];
-    if (entry.asked == 0 || entry.cube != place.cube) {
+    if (entry.asked == 0 || entry.cube.x != place.cube.x || entry.cube.y != place.cube.y || entry.cube.z != place.cube.z) {
       entry.cube = place.cube;
       entry.asked = 1;
       return nullptr;
@@ -265,7 +357,7 @@ class CubeMemory {
   }
 
  private:
-  static constexpr std::size_t kEntries = 16;  // 32 KiB
+  static constexpr std::size_t kEntries = 32;  // 64 KiB
   struct Entry {
     dvec3 cube{0};
     int asked = 0;
@@ -275,22 +367,33 @@ class CubeMemory {
 };
 
 // Of this thread: what is remembered never changes a result.
-CubeMemory& cube_memory() {
-  thread_local CubeMemory memory;
-  return memory;
-}
+constinit thread_local CubeMemory cube_memory;
 
 template <DistancePower Power>
 FeaturePoints nearest_cheaply(const Place& place, int wanted, const Power& power) {
-  if (CubePoints* points = cube_memory().find(place)) return points->nearest(place, wanted, power);
+  if (CubePoints* points = cube_memory.find(place)) return points->nearest(place, wanted, power);
   return nearest_by_metric(Cubes(place), wanted, power);
+}
+
+template <int wanted, DistancePower Power>
+dvec3 distances_cheaply(const Place& place, const Power& power) {
+  if (CubePoints* points = cube_memory.find(place)) return points->distances<wanted>(place, power);
+  const FeaturePoints n = nearest_by_metric(Cubes(place), wanted, power);
+  return {n.distance[0], n.distance[1], n.distance[2]};
+}
+
+template <DistancePower Power>
+dvec3 distances_cheaply(const Place& place, int wanted, const Power& power) {
+  if (wanted == 1) return distances_cheaply<1>(place, power);
+  if (wanted == 2) return distances_cheaply<2>(place, power);
+  return distances_cheaply<3>(place, power);
 }
 
 template <DistancePower Power>
 FeaturePoints nearest_dearly(const Place& place, int wanted, const Power& power, double metric) {
   // Below 1 the distance along one axis says little.
   if (metric < 1) return nearest_by_metric(Cubes(place), wanted, power);
-  if (CubePoints* points = cube_memory().find(place)) return points->nearest(place, wanted, power, metric);
+  if (CubePoints* points = cube_memory.find(place)) return points->nearest(place, wanted, power, metric);
   return nearest_by_axis(Cubes(place), wanted, power, metric);
 }
 
@@ -312,13 +415,20 @@ dvec3 nearest_by_signed_sum(const dvec3& p) {
 
 FeaturePoints crackle_points(const dvec3& p, double metric, int wanted) {
   const Place place(p);
-  if (metric == 2) return nearest_cheaply(place, wanted, [](double d) { return d * d; });
-  if (metric == 1) return nearest_cheaply(place, wanted, [](double d) { return std::fabs(d); });
+  if (metric == 2) return nearest_cheaply(place, wanted, Square{});
+  if (metric == 1) return nearest_cheaply(place, wanted, Magnitude{});
   if (!(metric > 0)) return nearest_of_all(Cubes(place), metric);
   const double halves = 2 * metric;
   if (metric <= kLargestHalfPower && halves == fast_floor(halves))
     return nearest_dearly(place, wanted, HalfPower{static_cast<int>(metric), static_cast<int>(halves) % 2 != 0}, metric);
   return nearest_dearly(place, wanted, [metric](double d) { return std::pow(std::fabs(d), metric); }, metric);
+}
+
+dvec3 crackle_distances(const dvec3& p, double metric, int wanted) {
+  if (metric == 2) return distances_cheaply(Place(p), wanted, Square{});
+  if (metric == 1) return distances_cheaply(Place(p), wanted, Magnitude{});
+  const FeaturePoints n = crackle_points(p, metric, wanted);
+  return {n.distance[0], n.distance[1], n.distance[2]};
 }
 
 dvec3 facet_point(const dvec3& p, double metric) { return metric == 1 ? nearest_by_signed_sum(p) : crackle_points(p, metric, 1).nearest; }

@@ -12,6 +12,8 @@ struct FeaturePoints {
 };
 // Only the first `wanted` (1 to 3) of the distances are needed: the others may come out too large.
 FeaturePoints crackle_points(const dvec3& p, double metric, int wanted);
+// The distances alone: cheaper.
+dvec3 crackle_distances(const dvec3& p, double metric, int wanted);
 
 // The nearest point as facets measure it: with metric 1 distances keep their sign.
 dvec3 facet_point(const dvec3& p, double metric);

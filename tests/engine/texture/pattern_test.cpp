@@ -191,11 +191,15 @@ TEST(Pattern, SlopeAndAoiNeedASurface) {
 // The nearest feature points are the same whether cubes are passed over or not: against a plain search of all 81.
 TEST(Pattern, CracklePassesOverNoCubeThatCounts) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> place(-30, 30);
+  std::uniform_real_distribution<double> place(-1, 1);
   for (const double metric : {1.0, 2.0, 3.0, 0.5})
     for (int i = 0; i < 2000; ++i) {
-      const dvec3 p(place(random), place(random), place(random));
+      // Far apart, then in a few cubes, whose points are remembered.
+      const double reach = i < 1000 ? 30 : 1.5;
+      const dvec3 p = reach * dvec3(place(random), place(random), place(random));
       const FeaturePoints n = crackle_points(p, metric, 3);
+      const dvec3 alone = crackle_distances(p, metric, 3);
+      const double first = crackle_distances(p, metric, 1)[0], second = crackle_distances(p, metric, 2)[1];
       std::vector<double> all;
       const dvec3 f(std::floor(p.x - kEpsilon), std::floor(p.y - kEpsilon), std::floor(p.z - kEpsilon));
       for (int x = -2; x <= 2; ++x)
@@ -209,6 +213,10 @@ TEST(Pattern, CracklePassesOverNoCubeThatCounts) {
           }
       std::sort(all.begin(), all.end());
       for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(n.distance[k], all[k], 1e-9);
+      // The same to the last bit, remembered or not.
+      for (int k = 0; k < 3; ++k) EXPECT_EQ(alone[k], n.distance[k]);
+      EXPECT_EQ(first, n.distance[0]);
+      EXPECT_EQ(second, n.distance[1]);
     }
 }
 

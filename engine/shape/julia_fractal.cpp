@@ -20,6 +20,18 @@ constexpr double kFinest = 1e-7;  // bracket in which a hit is found
 // them.
 using Orbit = std::vector<dvec4>;
 
+// A hypercomplex number as the two complex numbers whose sums and products are its own; the mean of their squared lengths is its.
+struct ComplexPair {
+  dvec2 a{0}, b{0};
+  ComplexPair() = default;
+  ComplexPair(const dvec2& first, const dvec2& second) : a(first), b(second) {}
+  explicit ComplexPair(const dvec4& z) : a(z.x - z.w, z.y + z.z), b(z.x + z.w, z.y - z.z) {}
+  void multiply(const ComplexPair& z) {
+    a = {a.x * z.a.x - a.y * z.a.y, a.x * z.a.y + a.y * z.a.x};
+    b = {b.x * z.b.x - b.y * z.b.y, b.x * z.b.y + b.y * z.b.x};
+  }
+};
+
 // A hit keeps its place in the fractal's space, or for functions its normal there.
 class JuliaSet final : public ScannedShape<JuliaSet> {
  public:
@@ -28,6 +40,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     quaternion_ = f_.algebra == Algebra::kQuaternion;
     radius_ = quaternion_ ? std::min(2.0, 1 + glm::length(f_.constant) + 1e-7) : 4;
     escape_ = quaternion_ ? radius_ * radius_ + 1e-7 : 16;
+    squares_ = !quaternion_ && f_.function == Function::kSqr;
     by_function_ = !quaternion_ && f_.function >= Function::kExp;
     const double ratio = f_.function == Function::kCube ? 3 : 2;
     for (std::size_t i = 0; i <= steps_; ++i) shares_.push_back(std::pow(ratio, -static_cast<double>(i)));
@@ -151,9 +164,30 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     return 0;
   }
 
+  // The same for squares of hypercomplex numbers, each taken apart into two complex numbers that do not meet; `along` is the
+  // direction whose slope, half of that of the squared length there, is wanted.
+  template <bool kWithSlope>
+  std::size_t squares_escape(ComplexPair z, double& norm, ComplexPair along = {}, double* slope = nullptr) const {
+    const ComplexPair c(f_.constant);
+    for (std::size_t i = 1; i <= steps_; ++i) {
+      const double axx = z.a.x * z.a.x, ayy = z.a.y * z.a.y, bxx = z.b.x * z.b.x, byy = z.b.y * z.b.y;
+      norm = 0.5 * ((axx + ayy) + (bxx + byy));
+      if (norm > escape_) {
+        // The slope at the starting point has it as a factor too.
+        if (kWithSlope && i == 1) along.multiply(z);
+        if (kWithSlope) *slope = 0.5 * (glm::dot(along.a, z.a) + glm::dot(along.b, z.b)) / shares_[i - 1];
+        return i;
+      }
+      if (kWithSlope) along.multiply(z);
+      z = {dvec2(axx - ayy + c.a.x, 2 * z.a.x * z.a.y + c.a.y), dvec2(bxx - byy + c.b.x, 2 * z.b.x * z.b.y + c.b.y)};
+    }
+    return 0;
+  }
+
   // The plain inside test of a point.
   bool stays(const dvec3& p, Orbit& orbit) const {
     double norm, product;
+    if (squares_) return squares_escape<false>(ComplexPair(start(p)), norm) == 0;
     return quaternion_ ? quaternion_escape(start(p), norm, product) == 0 : escape_step(plain_start(p), orbit) == 0;
   }
 
@@ -166,11 +200,16 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
       step = escaped == 0 ? least_step_ : shares_[escaped] * std::log(norm) / std::sqrt(product);
       return escaped == 0;
     }
-    const std::size_t i = escape_step(start(p), orbit);
     step = least_step_;
-    if (i == 0) return true;
-    const double norm = glm::dot(orbit[i - 1], orbit[i - 1]);
-    const double slope = glm::dot(hypercomplex_normal(orbit, i - 1), direction);
+    double norm, slope;
+    if (squares_) {
+      if (squares_escape<true>(ComplexPair(start(p)), norm, ComplexPair(dvec4(direction, 0)), &slope) == 0) return true;
+    } else {
+      const std::size_t i = escape_step(start(p), orbit);
+      if (i == 0) return true;
+      norm = glm::dot(orbit[i - 1], orbit[i - 1]);
+      slope = glm::dot(hypercomplex_normal(orbit, i - 1), direction);
+    }
     const double s = -2 * slope;
     if (slope < -1e-8 && least_step_ * s < norm && norm < 30 * least_step_ * s) step = norm / s;
     return false;
@@ -230,7 +269,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   double least_step_;
   std::vector<double> shares_;  // [i]: 2⁻ⁱ or 3⁻ⁱ
   double radius_ = 2, escape_ = 4;
-  bool quaternion_ = true, by_function_ = false;
+  bool quaternion_ = true, squares_ = false, by_function_ = false;
   Transform to_world_;
 };
 

@@ -102,7 +102,7 @@ T larger(T a, T b) { return a > b ? a : b; }
 // The smallest `wanted` of the numbers seen, ascending, in each lane of T, without a branch.
 template <class T, int wanted>
 struct Smallest {
-  T d[3];
+  T d[wanted];
   explicit Smallest(double start) {
     for (T& each : d) each = T{} + start;
   }
@@ -268,7 +268,7 @@ struct PointBlock {
 
 // The smallest of all lanes.
 template <int wanted>
-Smallest<double, wanted> smallest(Smallest<Two, wanted> even, const Smallest<Two, wanted>& odd) {
+inline Smallest<double, wanted> smallest(Smallest<Two, wanted> even, const Smallest<Two, wanted>& odd) {
   even.add(odd);
   Smallest<double, wanted> all(std::numeric_limits<double>::infinity());
   for (int i = 0; i < wanted; ++i) all.d[i] = even.d[i][0];
@@ -303,7 +303,9 @@ class CubePoints {
       outer(place).add_to(even, odd, place.point, power);
       all = smallest(even, odd);
     }
-    return {all.d[0], all.d[1], all.d[2]};
+    dvec3 result(std::numeric_limits<double>::infinity());
+    for (int i = 0; i < wanted; ++i) result[i] = all.d[i];
+    return result;
   }
   template <DistancePower Power>
   FeaturePoints nearest(const Place& place, int wanted, const Power& power, double metric) {

@@ -9,6 +9,13 @@ Aabb Container::box() const {
   return is_sphere ? Aabb{center - dvec3(radius), center + dvec3(radius)} : Aabb{lo, hi};
 }
 
+namespace {
+
+// A search between depths that are no numbers would not end: nothing is seen of a container of infinite size.
+bool is_finite(Interval depths) { return std::isfinite(depths.lo) && std::isfinite(depths.hi); }
+
+}  // namespace
+
 bool Container::contains(const dvec3& p) const {
   return is_sphere ? glm::length(p - center) <= radius : Aabb{lo, hi}.contains(p);
 }
@@ -22,7 +29,7 @@ bool Container::cross(const Ray& ray, Passage& passage) const {
     const double h = (radius * radius - glm::dot(apart, apart)) / a;
     if (!(h > 0)) return false;
     passage = {{b - std::sqrt(h), b + std::sqrt(h)}, kRound, kRound};
-    return true;
+    return is_finite(passage.depths);
   }
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   passage = {{-kInfinity, kInfinity}, 0, 0};
@@ -50,7 +57,7 @@ bool Container::cross(const Ray& ray, Passage& passage) const {
       passage.leave = far_face;
     }
   }
-  return !passage.depths.empty();
+  return !passage.depths.empty() && is_finite(passage.depths);
 }
 
 dvec3 Container::normal(std::uint32_t face, const dvec3& p) const {

@@ -26,7 +26,8 @@ struct Container {
     Interval depths;
     std::uint32_t enter = kRound, leave = kRound;
   };
-  bool cross(const Ray& ray, Passage& passage) const;  // the whole line; the direction need not be of unit length
+  // The whole line; the direction need not be of unit length. False as well where the depths are not finite.
+  bool cross(const Ray& ray, Passage& passage) const;
 
   dvec3 normal(std::uint32_t face, const dvec3& p) const;  // outward
 };

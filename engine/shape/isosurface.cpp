@@ -114,7 +114,8 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
 
     // f1 and f2 are the values at both ends; m bounds how much the function can change between them.
     bool bisect(double t1, double f1, double f2, double width, double m, double& root) {
-      if (width < surface.accuracy_) {
+      // A depth whose grain is coarser than the accuracy, far away, cannot be divided any more.
+      if (width < surface.accuracy_ || t1 + 0.5 * width == t1) {
         if (!(f2 < 0)) return false;
         root = t1 + width;
         return true;

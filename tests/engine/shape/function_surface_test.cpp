@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "engine/function/function.hpp"
 #include "engine/shape/isosurface.hpp"
@@ -58,6 +59,19 @@ TEST(Isosurface, ContainerCutsAreClosedUnlessOpen) {
 TEST(Isosurface, Transformed) {
   const auto shape = make(iso(tube, 3), Transform::scale({1, 2, 3}).then(Transform::rotate({0, 20, 0})));
   EXPECT_TRACE(*shape, dvec3(.1, .2, -15), kZ, dvec3(.1, .2, -1.157366), dvec3(0.934796, 0.101952, -0.340238));
+}
+
+// Radii of 1e308, infinity and not a number have ended the search with the stack.
+TEST(Isosurface, ContainerWithoutFiniteDepthsShowsNothing) {
+  for (const double radius : {1e308, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    Isosurface s = iso(ball, 4);
+    s.container.is_sphere = true;
+    s.container.radius = radius;
+    EXPECT_FALSE(trace(*make(s), {.1, .2, -5}, kZ));
+    s.container.is_sphere = false;
+    s.container.lo = dvec3(-1, -1, radius);
+    EXPECT_FALSE(trace(*make(s), {.1, .2, -5}, kZ));
+  }
 }
 
 Parametric surface(double (*x)(const double*), double (*y)(const double*), double (*z)(const double*), double gradient) {

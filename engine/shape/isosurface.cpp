@@ -127,7 +127,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
           m = gradient * length * width;
         }
       }
-      if (f1 + f2 - m >= 0) return false;
+      if (f1 + f2 - m >= 0 || std::isinf(m)) return false;
       const double half = 0.5 * width;
       const double middle = t1 + half;
       const double f = at(middle);

@@ -53,7 +53,7 @@ Bvh::Bvh(std::span<const Aabb> boxes, BvhLeaves leaves) {
   for (const Aabb& box : boxes)
     if (!box.empty()) all.join(box);
   if (all.empty()) return;
-  origin_ = all.center();
+  const dvec3 origin = all.center();
   std::vector<Item> items;
   items.reserve(boxes.size());
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
@@ -61,13 +61,12 @@ Bvh::Bvh(std::span<const Aabb> boxes, BvhLeaves leaves) {
     Item& item = items.emplace_back();
     item.index = i;
     for (int a = 0; a < 3; ++a) {
-      item.lo[a] = rounded_down(boxes[i].lo[a] - origin_[a]);
-      item.hi[a] = rounded_up(boxes[i].hi[a] - origin_[a]);
+      item.lo[a] = rounded_down(boxes[i].lo[a] - origin[a]);
+      item.hi[a] = rounded_up(boxes[i].hi[a] - origin[a]);
     }
   }
-  const dvec3 origin = origin_;
   *this = Bvh(std::move(items), leaves);
-  origin_ = origin;
+  origin_ = {origin.x, origin.y, origin.z, 0};
 }
 
 Bvh::Bvh(std::vector<Item> items, BvhLeaves leaves) : nodes_(build_bvh_nodes(items, leaves)) {
@@ -82,8 +81,8 @@ Aabb Bvh::bounds() const {
     const Node& root = nodes_.front();
     if (root.lo[0][c] > root.hi[0][c]) continue;
     for (int a = 0; a < 3; ++a) {
-      result.lo[a] = std::min(result.lo[a], static_cast<double>(root.lo[a][c]) + origin_[a]);
-      result.hi[a] = std::max(result.hi[a], static_cast<double>(root.hi[a][c]) + origin_[a]);
+      result.lo[a] = std::min(result.lo[a], static_cast<double>(root.lo[a][c]) + origin_[static_cast<std::size_t>(a)]);
+      result.hi[a] = std::max(result.hi[a], static_cast<double>(root.hi[a][c]) + origin_[static_cast<std::size_t>(a)]);
     }
   }
   return result;

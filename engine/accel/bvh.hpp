@@ -59,7 +59,8 @@ class Bvh {
 
   bool empty() const { return nodes_.empty(); }
   std::span<const Node> nodes() const { return nodes_; }
-  const dvec3& origin() const { return origin_; }
+  dvec3 origin() const { return {origin_[0], origin_[1], origin_[2]}; }
+  const std::array<double, 4>& padded_origin() const { return origin_; }  // the last number is 0
   std::span<const std::uint32_t> order() const { return order_; }  // item indices, leaf by leaf
   Aabb bounds() const;
 
@@ -82,7 +83,7 @@ class Bvh {
   using LeafFunction = bool (*)(void* context, std::uint32_t first, std::uint32_t count, double& far);
   void visit_leaves(const Ray& ray, Interval range, std::uint64_t& box_tests, void* context, LeafFunction visit) const;
 
-  dvec3 origin_{0};
+  std::array<double, 4> origin_{};
   std::vector<Node> nodes_;  // the root first
   std::vector<std::uint32_t> order_;
 };

@@ -36,28 +36,61 @@ HWY_INLINE float depth_above(double t) {
 }
 HWY_INLINE float depth_below(double t) { return t > 0 ? static_cast<float>(std::min(t * (1 - 1e-6), 1e37)) : 0.0f; }
 
-// The ray as the slab test wants it.
-struct SlabRay {
-  float near_origin[3], far_origin[3], near_reciprocal[3], far_reciprocal[3];
+// What depends on the signs of a ray's direction only.
+struct SlabSides {
+  double sign[4];  // -1: backward along the axis
   std::size_t near_plane[3], far_plane[3];  // offsets into a node, in floats
+};
 
-  SlabRay(const Ray& ray, const dvec3& tree_origin) {
-    constexpr double kLargest = 1e37;
-    for (int a = 0; a < 3; ++a) {
-      const double o = std::clamp(ray.origin[a] - tree_origin[a], -kLargest, kLargest);
-      const double margin = std::max(std::abs(o) * 0x1p-23, 1e-26);
-      const auto above = static_cast<float>(o + margin), below = static_cast<float>(o - margin);
-      const double d = ray.direction[a];
-      const bool backward = std::signbit(d);
-      const double r = std::abs(d) > 1 / kLargest ? 1 / d : std::copysign(kLargest, d);
-      near_origin[a] = backward ? below : above;
-      far_origin[a] = backward ? above : below;
-      near_reciprocal[a] = static_cast<float>(r);
-      far_reciprocal[a] = static_cast<float>(r * (1 + 1e-6));
-      const auto axis = static_cast<std::size_t>(a) * Bvh::kWidth;
-      near_plane[a] = backward ? 3 * Bvh::kWidth + axis : axis;
-      far_plane[a] = backward ? axis : 3 * Bvh::kWidth + axis;
+// For each combination of signs: bit a is set for backward along axis a.
+inline constexpr std::array<SlabSides, 8> kSlabSides = [] {
+  std::array<SlabSides, 8> all{};
+  for (std::size_t bits = 0; bits < 8; ++bits) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      const bool backward = (bits >> a & 1) != 0;
+      const std::size_t lower = a * Bvh::kWidth, upper = (3 + a) * Bvh::kWidth;
+      all[bits].sign[a] = backward ? -1 : 1;
+      all[bits].near_plane[a] = backward ? upper : lower;
+      all[bits].far_plane[a] = backward ? lower : upper;
     }
+  }
+  return all;
+}();
+
+// The ray as the slab test wants it. It is made four lanes at a time, of which three count: axes are in lanes 0 to 2 of the origin and in
+// lanes 1 to 3 of the direction, so that both can be loaded from the six numbers of the ray.
+struct SlabRay {
+  alignas(16) float near_origin[4], far_origin[4];
+  alignas(16) float near_reciprocal[4], far_reciprocal[4];  // [1 + axis]
+  const SlabSides* sides;
+  bool defined;  // no number of the ray is infinite or NaN
+
+  SlabRay(const Ray& ray, const std::array<double, 4>& tree_origin) {
+    static_assert(sizeof(Ray) == 6 * sizeof(double));
+    const hn::CappedTag<double, 4> d;
+    const hn::Rebind<float, decltype(d)> single;
+    constexpr double kLargest = 1e37;
+    const auto largest = hn::Set(d, kLargest), zero = hn::Zero(d);
+    const double* const numbers = &ray.origin.x;
+    const auto sign_bit = [&](int i) { return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(numbers[i]) >> 63); };
+    sides = &kSlabSides[sign_bit(3) | sign_bit(4) << 1 | sign_bit(5) << 2];
+    auto nothing = zero;  // stays zero
+    for (std::size_t c = 0; c < 4; c += hn::Lanes(d)) {
+      const auto origin = hn::LoadU(d, numbers + c), direction = hn::LoadU(d, numbers + 2 + c);
+      nothing = hn::Add(nothing, hn::Add(hn::Mul(origin, zero), hn::Mul(direction, zero)));
+      const auto from_tree = hn::Sub(origin, hn::LoadU(d, tree_origin.data() + c));
+      const auto o = hn::Min(hn::Max(from_tree, hn::Neg(largest)), largest);
+      const auto margin = hn::Max(hn::Mul(hn::Abs(o), hn::Set(d, 0x1p-23)), hn::Set(d, 1e-26));
+      const auto above = hn::Add(o, margin), below = hn::Sub(o, margin);
+      const auto backward = hn::Lt(hn::LoadU(d, sides->sign + c), zero);
+      hn::Store(hn::DemoteTo(single, hn::IfThenElse(backward, below, above)), single, near_origin + c);
+      hn::Store(hn::DemoteTo(single, hn::IfThenElse(backward, above, below)), single, far_origin + c);
+      const auto steep = hn::Gt(hn::Abs(direction), hn::Set(d, 1 / kLargest));
+      const auto r = hn::IfThenElse(steep, hn::Div(hn::Set(d, 1.0), direction), hn::CopySign(largest, direction));
+      hn::Store(hn::DemoteTo(single, r), single, near_reciprocal + c);
+      hn::Store(hn::DemoteTo(single, hn::Mul(r, hn::Set(d, 1 + 1e-6))), single, far_reciprocal + c);
+    }
+    defined = hn::AllTrue(d, hn::Eq(nothing, zero));
   }
 };
 
@@ -69,12 +102,12 @@ HWY_INLINE std::uint32_t meets(const Bvh::Node& node, const SlabRay& ray, float 
   std::uint32_t mask = 0;
   for (std::size_t c = 0; c < Bvh::kWidth; c += hn::Lanes(d)) {
     const auto entry_of = [&](std::size_t a) HWY_ATTR {
-      return hn::Mul(hn::Sub(hn::Load(d, planes + ray.near_plane[a] + c), hn::Set(d, ray.near_origin[a])),
-                     hn::Set(d, ray.near_reciprocal[a]));
+      return hn::Mul(hn::Sub(hn::Load(d, planes + ray.sides->near_plane[a] + c), hn::Set(d, ray.near_origin[a])),
+                     hn::Set(d, ray.near_reciprocal[1 + a]));
     };
     const auto exit_of = [&](std::size_t a) HWY_ATTR {
-      return hn::Mul(hn::Sub(hn::Load(d, planes + ray.far_plane[a] + c), hn::Set(d, ray.far_origin[a])),
-                     hn::Set(d, ray.far_reciprocal[a]));
+      return hn::Mul(hn::Sub(hn::Load(d, planes + ray.sides->far_plane[a] + c), hn::Set(d, ray.far_origin[a])),
+                     hn::Set(d, ray.far_reciprocal[1 + a]));
     };
     const auto entry = hn::Max(hn::Max(entry_of(0), entry_of(1)), hn::Max(entry_of(2), hn::Set(d, lo)));
     const auto exit = hn::Min(hn::Min(exit_of(0), exit_of(1)), hn::Min(exit_of(2), hn::Set(d, hi)));
@@ -92,9 +125,9 @@ template <bool ordered, class Leaf>
 HWY_INLINE void traverse(const Bvh& bvh, const Ray& ray, float near, float far, std::uint64_t& box_tests, Leaf&& leaf) {
   // An undefined ray meets nothing. (It would meet even the empty children: comparisons with NaN are not what they
   // seem.)
-  const dvec3 defined = 0.0 * ray.origin + 0.0 * ray.direction;
-  if (bvh.empty() || !(defined.x + defined.y + defined.z == 0)) return;
-  const SlabRay slab(ray, bvh.origin());
+  if (bvh.empty()) return;
+  const SlabRay slab(ray, bvh.padded_origin());
+  if (!slab.defined) return;
   const Bvh::Node* const nodes = bvh.nodes().data();
   struct Pending {
     float distance;

@@ -15,18 +15,18 @@ struct BuiltInterior;    // engine/build/built_scene.hpp
 class Solid;
 class CsgSolid;
 
-// Which rays see an object (chapter 40 §2). A ray carries the set of kinds that apply to it.
+// Which rays see an object (chapter 40 §2). A ray carries the set of kinds that apply to it. Bits, since every query of a ray passes them on.
 struct RayKind {
-  bool primary = true;
-  bool reflected = false;
-  bool refracted = false;
-  bool shadow = false;
-  bool radiosity = false;
-  bool photon = false;
+  bool primary : 1 = true;
+  bool reflected : 1 = false;
+  bool refracted : 1 = false;
+  bool shadow : 1 = false;
+  bool radiosity : 1 = false;
+  bool photon : 1 = false;
 };
 
 struct Visibility {
-  bool no_image = false, no_reflection = false, no_radiosity = false, no_shadow = false;
+  bool no_image : 1 = false, no_reflection : 1 = false, no_radiosity : 1 = false, no_shadow : 1 = false;
   bool visible_to(RayKind kind) const {
     if (kind.shadow) return !no_shadow;
     if (!no_image && !no_reflection && !no_radiosity && !no_shadow) return true;

@@ -34,6 +34,7 @@ struct BuiltLight {
   SourceLocation where;
   std::size_t number = 0;  // among the lights of the scene
 
+  bool attenuates() const { return fades || kind == LightKind::kSpot || kind == LightKind::kCylinder; }  // by angle or distance
   bool casts_shadows() const { return kind != LightKind::kShadowless; }
   bool has_highlights() const { return kind != LightKind::kShadowless; }
 };

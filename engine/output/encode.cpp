@@ -64,6 +64,10 @@ class Encoder {
     }
     for (int i = 0; i < film_.height(); ++i) {
       const int y = bottom_up_ ? film_.height() - 1 - i : i;
+      if (curve_ && !alpha_ && !greyscale_) {
+        row_by_table(y);
+        continue;
+      }
       dither_.begin_row();
       for (int x = 0; x < film_.width(); ++x) pixel(x, y);
     }
@@ -72,6 +76,17 @@ class Encoder {
 
  private:
   int code_of(float number) const { return static_cast<int>(std::floor(clip(number) * static_cast<float>(image_.max) + 0.5f)); }
+
+  // What most pictures need of pixel(): colour alone, each channel by itself.
+  void row_by_table(int y) {
+    std::uint16_t* codes = image_.codes.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) * 3;
+    for (int x = 0; x < image_.width; ++x, codes += 3) {
+      const Rgb rgb = film_.at(x, y).rgb;
+      codes[0] = static_cast<std::uint16_t>((*curve_)(rgb.r));
+      codes[1] = static_cast<std::uint16_t>((*curve_)(rgb.g));
+      codes[2] = static_cast<std::uint16_t>((*curve_)(rgb.b));
+    }
+  }
 
   void pixel(int x, int y) {
     const Channels pixel = channels_of(film_.at(x, y), alpha_, greyscale_);

@@ -2,6 +2,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <csetjmp>
@@ -56,6 +57,10 @@ unsigned replicate(unsigned code, int bits, int stored) {
 void fill_row(const EncodedImage& image, int y, int bits, int stored, std::vector<png_byte>& row) {
   const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
   const std::uint16_t* codes = image.codes.data() + static_cast<std::size_t>(y) * count;
+  if (bits == 8) {
+    std::copy_n(codes, count, row.begin());
+    return;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     const unsigned value = replicate(codes[i], bits, stored);
     if (stored == 8) {

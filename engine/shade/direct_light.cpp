@@ -30,30 +30,27 @@ Rgb Shader::direct_light(Surface& surface, const LitLayer& layer) {
   Rgb sum{0.0f};
   if (!takes_light(layer.finish)) return sum;
   const std::size_t count = surface.lights->size();
-  for (std::size_t i = 0; i < count; ++i) sum += light_from(surface, layer, i);
+  // No further ray is shaded from here on: the entries of the stack stay where they are.
+  for (std::size_t i = 0; i < count; ++i) sum += light_from(surface, layer, light(surface.leaf, i), (*surface.lights)[i]);
   return sum;
 }
 
-Rgb Shader::light_from(Surface& surface, const LitLayer& layer, std::size_t index) {
-  const BuiltLight& source = light(surface.leaf, index);
+Rgb Shader::light_from(const Surface& surface, const LitLayer& layer, const BuiltLight& source, LightAtPoint& known) {
   const bool area_lit = source.area && source.area->illumination;
-  {
-    LightAtPoint& known = (*surface.lights)[index];
-    if (!known.reached) {
-      known.reached = true;
-      known.path = path_to(source, source.location, surface.hit.point);
-      const double factor = area_lit ? 1 : attenuation(source, surface.hit.point, known.path);
-      known.color = source.color * static_cast<float>(factor);
-    }
-    if (nearly_black(known.color)) return Rgb(0.0f);
+  if (!known.reached) {
+    known.reached = true;
+    known.path = path_to(source, source.location, surface.hit.point);
+    known.color = source.color;
+    if (!area_lit && source.attenuates()) known.color *= static_cast<float>(attenuation(source, surface.hit.point, known.path));
   }
-  const LightPath path = (*surface.lights)[index].path;
+  if (nearly_black(known.color)) return Rgb(0.0f);
+  const LightPath& path = known.path;
   bool backside = false;
   if (!surface.leaf.double_illuminate && !area_lit && glm::dot(layer.normal, path.direction) < kEpsilon) {
     if (layer.finish.diffuse_back == 0) return Rgb(0.0f);
     backside = true;
   }
-  const Rgb color = after_shadows(surface, source, index);
+  const Rgb color = after_shadows(surface, source, known);
   if (nearly_black(color)) return Rgb(0.0f);
 
   Rgb result = area_lit ? area_illumination(surface, layer, source, path.direction, color)
@@ -65,19 +62,16 @@ Rgb Shader::light_from(Surface& surface, const LitLayer& layer, std::size_t inde
 }
 
 // The same for all layers and blended textures of the point.
-Rgb Shader::after_shadows(Surface& surface, const BuiltLight& source, std::size_t index) {
-  const LightAtPoint known = (*surface.lights)[index];
+Rgb Shader::after_shadows(const Surface& surface, const BuiltLight& source, LightAtPoint& known) {
   if (!plan_.shadows) return known.color;
   if (known.shadowed) return known.after_shadows;
-  Rgb color = known.color;
+  known.shadowed = true;
+  known.after_shadows = known.color;
   if (source.area && source.casts_shadows())
-    color = area_shadow(surface, source, known.path.direction, color);
+    known.after_shadows = area_shadow(surface, source, known.path.direction, known.color);
   else if (source.casts_shadows() || source.projected_through != nullptr)
-    color = shadowed(surface, source, known.path, color);
-  LightAtPoint& entry = (*surface.lights)[index];
-  entry.shadowed = true;
-  entry.after_shadows = color;
-  return color;
+    known.after_shadows = shadowed(surface, source, known.path, known.color);
+  return known.after_shadows;
 }
 
 Rgb Shader::scattered(const Surface& surface, const LitLayer& layer, const BuiltLight& source, const dvec3& to_light, Rgb color,
@@ -98,7 +92,7 @@ Rgb Shader::scattered(const Surface& surface, const LitLayer& layer, const Built
 }
 
 // §10.4: every sample of the area lights the point by itself; shadows are those of the area as a whole.
-Rgb Shader::area_illumination(Surface& surface, const LitLayer& layer, const BuiltLight& source, const dvec3& to_center, Rgb color) {
+Rgb Shader::area_illumination(const Surface& surface, const LitLayer& layer, const BuiltLight& source, const dvec3& to_center, Rgb color) {
   const AreaAxes axes = area_axes(source, to_center);
   Rgb sum{0.0f};
   const AreaLight& area = *source.area;

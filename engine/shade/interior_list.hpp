@@ -14,6 +14,16 @@ struct BuiltInterior;
 // Short lists, nearly always: kept in place, so that a ray can be copied without touching the heap.
 class InteriorList {
  public:
+  InteriorList() {}  // places beyond the size stay unwritten
+  InteriorList(const InteriorList& other) { *this = other; }
+  InteriorList& operator=(const InteriorList& other) {
+    if (this == &other) return *this;
+    size_ = other.size_;
+    if (!spilled_.empty() || !other.spilled_.empty()) spilled_ = other.spilled_;
+    for (std::size_t i = 0; i < std::min(size_, kInPlace); ++i) in_place_[i] = other.in_place_[i];
+    return *this;
+  }
+
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
   std::span<const BuiltInterior* const> view() const { return {size_ <= kInPlace ? in_place_.data() : spilled_.data(), size_}; }
@@ -52,7 +62,7 @@ class InteriorList {
  private:
   static constexpr std::size_t kInPlace = 8;
   std::size_t size_ = 0;
-  std::array<const BuiltInterior*, kInPlace> in_place_{};
+  std::array<const BuiltInterior*, kInPlace> in_place_;
   std::vector<const BuiltInterior*> spilled_;
 };
 

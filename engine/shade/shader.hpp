@@ -104,9 +104,9 @@ class Shader {
   std::size_t light_count(const Leaf& leaf) const;
   const BuiltLight& light(const Leaf& leaf, std::size_t index) const;
   Rgb direct_light(Surface& surface, const LitLayer& layer);
-  Rgb light_from(Surface& surface, const LitLayer& layer, std::size_t index);
-  Rgb after_shadows(Surface& surface, const BuiltLight& light, std::size_t index);
-  Rgb area_illumination(Surface& surface, const LitLayer& layer, const BuiltLight& light, const dvec3& to_center, Rgb color);
+  Rgb light_from(const Surface& surface, const LitLayer& layer, const BuiltLight& source, LightAtPoint& known);
+  Rgb after_shadows(const Surface& surface, const BuiltLight& light, LightAtPoint& known);
+  Rgb area_illumination(const Surface& surface, const LitLayer& layer, const BuiltLight& light, const dvec3& to_center, Rgb color);
   Rgb scattered(const Surface& surface, const LitLayer& layer, const BuiltLight& light, const dvec3& to_light, Rgb color,
                 bool backside);
   Rgb highlights(const Surface& surface, const LitLayer& layer, const dvec3& to_light, Rgb color) const;

@@ -22,8 +22,9 @@ void visit_leaves(const Bvh& bvh, const Ray& ray, Interval range, std::uint64_t&
   double far_depth = range.hi;
   traverse<true>(bvh, ray, depth_below(range.lo), depth_above(range.hi), box_tests,
                  [&](std::uint32_t first, std::uint32_t count, float& far) {
+                   const double before = far_depth;
                    const bool stop = visit(context, first, count, far_depth);
-                   far = depth_above(far_depth);
+                   if (far_depth != before) far = depth_above(far_depth);
                    return stop;
                  });
 }

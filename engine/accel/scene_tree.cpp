@@ -3,6 +3,7 @@
 #include <glm/common.hpp>
 
 #include "engine/csg/bounding.hpp"
+#include "engine/csg/leaf_solid.hpp"
 
 namespace lute {
 
@@ -25,13 +26,24 @@ RayKind shadow_ray() {
 
 }  // namespace
 
+AskedSolid::AskedSolid(const Solid& asked) : solid(&asked) {
+  const auto* own = dynamic_cast<const LeafSolid*>(&asked);
+  if (own == nullptr || !own->unclipped()) return;
+  shape = &own->shape();
+  leaf = &own->leaf();
+}
+
+bool AskedSolid::blocks(const Ray& ray, Interval range) const {
+  return shape != nullptr ? shape->any(ray, range) : solid->any(ray, range, shadow_ray());
+}
+
 SceneTree::SceneTree(std::span<const Solid* const> solids) {
   constexpr std::size_t kFewest = 6;  // below, a tree costs more than it saves
   const auto count = static_cast<std::uint32_t>(solids.size());
   std::vector<Entry> finite;
   std::vector<Aabb> boxes;
   const auto list = [&](const Entry& entry, const Aabb& box) {
-    const bool limited = !is_cheap(*entry.solid) && box.half_area() < std::numeric_limits<double>::infinity();
+    const bool limited = !is_cheap(*entry.asked.solid) && box.half_area() < std::numeric_limits<double>::infinity();
     listed_.push_back({entry, box, limited});
     any_boxed_ = any_boxed_ || limited;
   };
@@ -40,7 +52,11 @@ SceneTree::SceneTree(std::span<const Solid* const> solids) {
     if (box.empty()) continue;
     const bool infinite = !(box.volume() <= kLargestFiniteVolume);
     const Visibility visibility = solids[i]->visibility;
-    const Entry entry{solids[i], infinite ? i : count + i, visibility, solids[i]->opaque && !visibility.no_shadow};
+    const Entry entry{.asked = AskedSolid(*solids[i]),
+                      .rank = infinite ? i : count + i,
+                      .visibility = visibility,
+                      .restricted = visibility.restricts(),
+                      .blocks = solids[i]->opaque && !visibility.no_shadow};
     if (fits_tree(box)) {
       finite.push_back(entry);
       boxes.push_back(box);
@@ -58,7 +74,7 @@ SceneTree::SceneTree(std::span<const Solid* const> solids) {
 
 // Calls visit(entry, far) for what the ray may hit before `far`, which visit may lower, until it returns true.
 template <class Visit>
-void SceneTree::go_through_list(const Ray& ray, Interval range, Visit&& visit) const {
+void SceneTree::go_through_list(const Ray& ray, Interval& range, Visit&& visit) const {
   if (!any_boxed_) {
     for (const Listed& item : listed_)
       if (visit(item.entry, range.hi)) return;
@@ -72,45 +88,87 @@ void SceneTree::go_through_list(const Ray& ray, Interval range, Visit&& visit) c
 }
 
 // The nearest hit so far.
-struct SceneTree::Best {
-  Hit& hit;
-  const Departure& from;
-  bool found = false;
-  std::uint32_t rank = 0;
-  Hit candidate{};
+class SceneTree::Best {
+ public:
+  Best(const Ray& ray, double near, RayKind kind, const Departure& from, Hit& hit)
+      : ray_(ray), near_(near), kind_(kind), from_(from), hit_(hit) {}
 
-  // Returns true if the solid has a better hit in [lo, hi].
-  bool ask(const Entry& entry, const Ray& ray, Interval range, RayKind kind, Counters& counters) {
-    if (!entry.visibility.visible_to(kind)) return false;
-    ++counters.solid_tests;
-    if (!entry.solid->nearest(ray, range, kind, candidate)) return false;
-    if (candidate.t < from.clear && candidate.leaf == from.leaf &&
-        !entry.solid->nearest(ray, {from.clear, range.hi}, kind, candidate))
-      return false;
-    if (found && !(candidate.t < hit.t || (candidate.t == hit.t && entry.rank < rank))) return false;
-    hit = candidate;
-    rank = entry.rank;
-    return found = true;
+  // Lowers `far` to the depth of the entry's hit, if that is better.
+  void ask(const Entry& entry, double& far) {
+    if (entry.restricted && !entry.visibility.visible_to(kind_)) return;
+    ++asked_;
+    if (entry.asked.shape != nullptr)
+      ask_shape(entry, far);
+    else
+      ask_solid(entry, far);
   }
+
+  bool finish(Counters& counters) const {
+    counters.solid_tests += asked_;
+    if (!found_) return false;
+    ++counters.hits;
+    if (of_shape_) hit_.point = ray_.at(hit_.t);
+    return true;
+  }
+
+ private:
+  bool at_start(double t, const Leaf* leaf) const { return t < from_.clear && leaf == from_.leaf; }
+  bool better(double t, std::uint32_t rank) const { return !found_ || t < hit_.t || (t == hit_.t && rank < rank_); }
+  void take(const Entry& entry, double& far) {
+    rank_ = entry.rank;
+    found_ = true;
+    far = hit_.t;
+  }
+
+  void ask_shape(const Entry& entry, double& far) {
+    const Shape& shape = *entry.asked.shape;
+    ShapeHit candidate;
+    if (!shape.nearest(ray_, {near_, far}, candidate)) return;
+    if (at_start(candidate.t, entry.asked.leaf) && !shape.nearest(ray_, {from_.clear, far}, candidate)) return;
+    if (!better(candidate.t, entry.rank)) return;
+    hit_.t = candidate.t;
+    hit_.shape_hit = candidate;
+    hit_.leaf = entry.asked.leaf;
+    hit_.cutaway = nullptr;
+    of_shape_ = true;
+    take(entry, far);
+  }
+
+  void ask_solid(const Entry& entry, double& far) {
+    const Solid& solid = *entry.asked.solid;
+    Hit candidate;
+    if (!solid.nearest(ray_, {near_, far}, kind_, candidate)) return;
+    if (at_start(candidate.t, candidate.leaf) && !solid.nearest(ray_, {from_.clear, far}, kind_, candidate)) return;
+    if (!better(candidate.t, entry.rank)) return;
+    hit_ = candidate;
+    of_shape_ = false;
+    take(entry, far);
+  }
+
+  const Ray& ray_;
+  double near_;
+  RayKind kind_;
+  const Departure& from_;
+  Hit& hit_;
+  std::uint64_t asked_ = 0;
+  bool found_ = false, of_shape_ = false;
+  std::uint32_t rank_ = 0;
 };
 
 bool SceneTree::nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit, Counters& counters,
                         const Departure& from) const {
-  Best best{hit, from};
-  const auto ask = [&](const Entry& entry, double& far) {
-    if (best.ask(entry, ray, {range.lo, far}, kind, counters)) far = hit.t;
+  Best best(ray, range.lo, kind, from, hit);
+  go_through_list(ray, range, [&](const Entry& entry, double& far) {
+    best.ask(entry, far);
     return false;
-  };
-  go_through_list(ray, range, ask);
-  if (best.found) range.hi = hit.t;
+  });
   if (!bvh_.empty()) {
     bvh_.traverse(ray, range, counters.box_tests, [&](std::uint32_t first, std::uint32_t count, double& far) {
-      for (std::uint32_t i = first; i < first + count; ++i) ask(bounded_[i], far);
+      for (std::uint32_t i = first; i < first + count; ++i) best.ask(bounded_[i], far);
       return false;
     });
   }
-  if (best.found) ++counters.hits;
-  return best.found;
+  return best.finish(counters);
 }
 
 bool SceneTree::nearest_shadow(const Ray& ray, Interval range, Hit& hit, Counters& counters) const {
@@ -119,22 +177,22 @@ bool SceneTree::nearest_shadow(const Ray& ray, Interval range, Hit& hit, Counter
 
 bool SceneTree::blocks(const Entry& entry, const Ray& ray, Interval range, LastBlocker& last, bool& filters,
                        Counters& counters) const {
-  if (entry.visibility.no_shadow || entry.solid == last.solid || (filters && !entry.blocks)) return false;
+  if (entry.visibility.no_shadow || entry.asked.solid == last.asked.solid || (filters && !entry.blocks)) return false;
   ++counters.solid_tests;
-  if (!entry.solid->any(ray, range, shadow_ray())) return false;
+  if (!entry.asked.blocks(ray, range)) return false;
   if (!entry.blocks) {
     filters = true;
     return false;
   }
-  last = {entry.solid, 0};
+  last = {entry.asked, 0};
   return true;
 }
 
 Obstruction SceneTree::obstruction(const Ray& ray, Interval range, LastBlocker& last, Counters& counters) const {
   constexpr int kForgiven = 8;
-  if (last.solid != nullptr) {
+  if (last.asked.solid != nullptr) {
     ++counters.solid_tests;
-    if (last.solid->any(ray, range, shadow_ray())) {
+    if (last.asked.blocks(ray, range)) {
       last.misses = 0;
       return Obstruction::kOpaque;
     }
@@ -151,7 +209,7 @@ Obstruction SceneTree::obstruction(const Ray& ray, Interval range, LastBlocker& 
     });
   }
   if (opaque) return Obstruction::kOpaque;
-  if (last.solid != nullptr && ++last.misses > kForgiven) last = {};
+  if (last.asked.solid != nullptr && ++last.misses > kForgiven) last = {};
   return filters ? Obstruction::kFilter : Obstruction::kNone;
 }
 

@@ -18,10 +18,21 @@ namespace lute {
 // What stands in the way of light.
 enum class Obstruction : std::uint8_t { kNone, kFilter, kOpaque };
 
+// A solid and, if it is an unclipped leaf, its shape: what most scenes are made of is asked without the way through the solid.
+struct AskedSolid {
+  const Solid* solid = nullptr;
+  const Shape* shape = nullptr;
+  const Leaf* leaf = nullptr;  // of the shape
+
+  AskedSolid() = default;
+  explicit AskedSolid(const Solid& asked);
+  bool blocks(const Ray& ray, Interval range) const;  // a shadow ray
+};
+
 // The solid that last stood between a light and some point, asked first for the next point: neighbours have the same
 // blocker more often than not. Whether a ray is blocked does not depend on who is asked first.
 struct LastBlocker {
-  const Solid* solid = nullptr;
+  AskedSolid asked;
   int misses = 0;  // since it last blocked
 };
 
@@ -47,9 +58,10 @@ class SceneTree {
 
  private:
   struct Entry {
-    const Solid* solid;
+    AskedSolid asked;
     std::uint32_t rank;     // of hits at equal depth the lowest wins
     Visibility visibility;  // the solid's own, here so that solids that are left out need not be looked at
+    bool restricted;        // some kinds of rays do not see it
     bool blocks;            // casts shadows and is opaque
   };
   struct Listed {
@@ -57,10 +69,10 @@ class SceneTree {
     Aabb box;
     bool boxed;  // the box is worth a test: it is bounded, and the solid costs more than it
   };
-  struct Best;
+  class Best;
 
   template <class Visit>
-  void go_through_list(const Ray& ray, Interval range, Visit&& visit) const;
+  void go_through_list(const Ray& ray, Interval& range, Visit&& visit) const;
   bool blocks(const Entry& entry, const Ray& ray, Interval range, LastBlocker& last, bool& filters, Counters& counters) const;
 
   std::vector<Listed> listed_;

@@ -27,9 +27,10 @@ struct RayKind {
 
 struct Visibility {
   bool no_image : 1 = false, no_reflection : 1 = false, no_radiosity : 1 = false, no_shadow : 1 = false;
+  bool restricts() const { return no_image || no_reflection || no_radiosity || no_shadow; }
   bool visible_to(RayKind kind) const {
     if (kind.shadow) return !no_shadow;
-    if (!no_image && !no_reflection && !no_radiosity && !no_shadow) return true;
+    if (!restricts()) return true;
     const bool image = kind.primary || (kind.refracted && !kind.reflected);
     if (no_image && image) return false;
     if (no_reflection && kind.reflected) return false;

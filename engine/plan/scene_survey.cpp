@@ -139,8 +139,7 @@ void SceneSurvey::layer(const TextureLayer& l, SourceLocation where) {
 }
 
 void SceneSurvey::finish(const Finish& f, SourceLocation where) {
-  const Rgb none(0.0f);
-  if (!(f.reflection_max == none) || !(f.reflection_min == none)) {
+  if (f.reflects()) {
     note(reflecting, where);
     if (f.reflection_fresnel) note(fresnel, where);
   }

@@ -37,6 +37,9 @@ struct Finish {
 
   // Old forms, moved to the object's interior when its statement ends.
   std::optional<float> ior, caustics, refraction;
+
+  bool reflects() const { return !(reflection_max == Rgb(0.0f) && reflection_min == Rgb(0.0f)); }
+  bool shines() const { return phong > 0 || specular > 0; }
 };
 using FinishPtr = std::shared_ptr<const Finish>;
 

@@ -86,7 +86,7 @@ Rgb Shader::scattered(const Surface& surface, const LitLayer& layer, const Built
     if (finish.crand > 0) i -= static_cast<float>(context_.random.next()) * finish.crand;
     result += i * layer.pigment.rgb * color;
   }
-  if (plan_.highlights && !backside && source.has_highlights() && !surface.in.kind.radiosity)
+  if (plan_.highlights && finish.shines() && !backside && source.has_highlights() && !surface.in.kind.radiosity)
     result += highlights(surface, layer, to_light, color);
   return result;
 }

@@ -25,8 +25,6 @@ Rgb Shader::reflectivity(const Surface& surface, const LitLayer& layer, float la
   const Finish& finish = layer.finish;
   const Rgb& low = finish.reflection_min;
   const Rgb& high = finish.reflection_max;
-  const Rgb none(0.0f);
-  if (low == none && high == none) return none;
   const double c = -glm::dot(surface.in.ray.direction, layer.normal);
   Rgb amount;
   if (finish.reflection_fresnel) {

@@ -43,8 +43,7 @@ class SlabBox final : public ScannedShape<SlabBox> {
   void scan(const Ray& ray, Interval, Sink&& sink) const {
     const Ray local = turned_ ? to_world_.inverse_ray(ray) : ray;
     Crossing crossing;
-    for (int axis = 0; axis < 3; ++axis)
-      if (!cross_slab(axis, local, crossing)) return;
+    if (!(cross_slab<0>(local, crossing) && cross_slab<1>(local, crossing) && cross_slab<2>(local, crossing))) return;
     if (crossing.near_face != kNone) sink(crossing.near, crossing.near_face);
     if (crossing.far_face != kNone) sink(crossing.far, crossing.far_face);
   }
@@ -85,11 +84,12 @@ class SlabBox final : public ScannedShape<SlabBox> {
   }
 
   // Cuts the crossing down to one slab; false if nothing is left.
-  bool cross_slab(int axis, const Ray& ray, Crossing& c) const {
+  template <int axis>
+  bool cross_slab(const Ray& ray, Crossing& c) const {
     const double p = ray.origin[axis];
     const double d = ray.direction[axis];
     const double edge = axis == 0 ? 0 : edge_;
-    const auto lower_face = static_cast<std::uint32_t>(2 * axis);
+    constexpr auto lower_face = static_cast<std::uint32_t>(2 * axis);
     if (d == 0) return lo_[axis] <= p && p <= hi_[axis];
     const bool up = d > 0;
     const double enter = ((up ? lo_[axis] : hi_[axis]) - p) / d;

@@ -5,9 +5,6 @@
 
 namespace lute {
 
-// point.cpp: a light that shines the same in all directions.
-LightPath point_path(const dvec3& sample, const dvec3& point);
-
 // parallel.cpp: all rays of the light are parallel; `direct` is the path that the light would have without.
 LightPath parallel_path(const BuiltLight& light, const dvec3& sample, const LightPath& direct);
 

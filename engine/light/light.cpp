@@ -38,7 +38,7 @@ BuiltLight build_light(const LightSource& d, const Transform& to_world, bool are
   return light;
 }
 
-LightPath path_to(const BuiltLight& light, const dvec3& sample, const dvec3& point) {
+LightPath path_of_kind(const BuiltLight& light, const dvec3& sample, const dvec3& point) {
   if (light.kind == LightKind::kCylinder) return cylinder_path(light, point);
   const LightPath direct = point_path(sample, point);
   return light.parallel ? parallel_path(light, sample, direct) : direct;

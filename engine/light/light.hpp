@@ -1,6 +1,6 @@
 // A light source ready to shade with, in world space. Source: specification chapter 40 §7, §10.
 //
-// One file for each kind of light: point.cpp, spot.cpp, cylinder.cpp, parallel.cpp, area.cpp; what they share is here.
+// One file for each kind of light: spot.cpp, cylinder.cpp, parallel.cpp, area.cpp; the point, and what they share, is here.
 #pragma once
 
 #include <memory>
@@ -42,8 +42,19 @@ struct BuiltLight {
 // Fills what is derived from the description; `to_world` moves location, point_at, axis and the axes of an area light.
 BuiltLight build_light(const LightSource& description, const Transform& to_world, bool area_lights);
 
+// A light that shines the same in all directions.
+inline LightPath point_path(const dvec3& sample, const dvec3& point) {
+  const dvec3 to_light = sample - point;
+  const double distance = glm::length(to_light);
+  return {distance > 0 ? to_light / distance : to_light, distance};
+}
+
+LightPath path_of_kind(const BuiltLight& light, const dvec3& sample, const dvec3& point);
+
 // L and d of §10.2 toward `sample`, a point of the light (its location, or a point of its area).
-LightPath path_to(const BuiltLight& light, const dvec3& sample, const dvec3& point);
+inline LightPath path_to(const BuiltLight& light, const dvec3& sample, const dvec3& point) {
+  return light.parallel || light.kind == LightKind::kCylinder ? path_of_kind(light, sample, point) : point_path(sample, point);
+}
 
 // The factor of §10.3 for angle and distance; 0 outside the cone.
 double attenuation(const BuiltLight& light, const dvec3& point, const LightPath& path);

@@ -16,12 +16,18 @@ class SceneView::Source final : public PixelSource {
     // Random numbers depend on the position alone, so that a pixel is the same in whatever block it is traced.
     context_.start_sample(std::bit_cast<std::uint64_t>(position.x), std::bit_cast<std::uint64_t>(position.y));
     if (view_.blur_) return view_.blur_->sample(position, project_, trace_);
-    return mean_of_rays(position);
+    return view_.projection_.rays_per_position() == 1 ? color_of_ray(position) : mean_of_rays(position);
   }
 
   Counters counters() const override { return context_.counters; }
 
  private:
+  Color color_of_ray(dvec2 position) {
+    ProjectedRay ray;
+    if (!view_.project(position, ray)) return {Rgb(0.0f), 0, 1};
+    return trace({ray.origin, glm::normalize(ray.direction)}, ray.reach);
+  }
+
   // Rays that the camera does not have are left out.
   Color mean_of_rays(dvec2 position) {
     Color sum;

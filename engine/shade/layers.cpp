@@ -55,7 +55,7 @@ Color Shader::layers_color(Surface& surface, const CompiledTexture& texture, con
       if (plan_.reflection && finish.reflects()) {
         reflectivity_here = reflectivity(surface, lit, surface.weight * translucency, reflected_weight);
         if (!(reflectivity_here == Rgb(0.0f)))
-          scratch_.reflections.push_back({reflectivity_here, reflected_weight, normal, &finish});
+          scratch_.reflections.push({reflectivity_here, reflected_weight, normal, &finish});
       }
       color.rgb += own_light(surface, lit) * filter;
     }

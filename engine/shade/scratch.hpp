@@ -29,23 +29,32 @@ struct ReflectingLayer {
   const Finish* finish;
 };
 
-struct TraceScratch {
-  std::vector<LightAtPoint> lights;
-  std::vector<ReflectingLayer> reflections;
-  std::vector<Rgb> area_samples;
-  std::vector<TextureWeight> weights;
-  CsgSolid::CutawayShares shares;
-  std::vector<const BuiltInterior*> interiors;
-  // Of each light two: for what the camera sees directly, and for what is seen in mirrors and through glass.
-  std::vector<std::array<LastBlocker, 2>> last_blockers;
+// A stack whose items stay as they were left when it shrinks, so that using a place again costs nothing.
+template <class T>
+class ScratchStack {
+ public:
+  std::size_t size() const { return size_; }
+  T& operator[](std::size_t i) { return items_[i]; }
+  void resize(std::size_t size) {
+    if (size > items_.size()) items_.resize(size);
+    size_ = size;
+  }
+  void push(const T& item) {
+    resize(size_ + 1);
+    items_[size_ - 1] = item;
+  }
+
+ private:
+  std::vector<T> items_;
+  std::size_t size_ = 0;
 };
 
-// A piece of a stack, given back when the scope ends. Address elements by index only: the stack may move.
+// A piece of a stack, given back when the scope ends; its items begin with anything. Address them by index only: the stack may move.
 template <class T>
 class ScratchBlock {
  public:
-  ScratchBlock(std::vector<T>& stack, std::size_t count) : stack_(stack), first_(stack.size()) { stack.resize(first_ + count); }
-  explicit ScratchBlock(std::vector<T>& stack) : ScratchBlock(stack, 0) {}
+  ScratchBlock(ScratchStack<T>& stack, std::size_t count) : stack_(stack), first_(stack.size()) { stack.resize(first_ + count); }
+  explicit ScratchBlock(ScratchStack<T>& stack) : ScratchBlock(stack, 0) {}
   ~ScratchBlock() { stack_.resize(first_); }
   ScratchBlock(const ScratchBlock&) = delete;
   ScratchBlock& operator=(const ScratchBlock&) = delete;
@@ -54,8 +63,19 @@ class ScratchBlock {
   std::size_t size() const { return stack_.size() - first_; }
 
  private:
-  std::vector<T>& stack_;
+  ScratchStack<T>& stack_;
   std::size_t first_;
+};
+
+struct TraceScratch {
+  ScratchStack<LightAtPoint> lights;
+  ScratchStack<ReflectingLayer> reflections;
+  ScratchStack<Rgb> area_samples;
+  std::vector<TextureWeight> weights;
+  CsgSolid::CutawayShares shares;
+  std::vector<const BuiltInterior*> interiors;
+  // Of each light two: for what the camera sees directly, and for what is seen in mirrors and through glass.
+  std::vector<std::array<LastBlocker, 2>> last_blockers;
 };
 
 }  // namespace lute

@@ -48,6 +48,7 @@ dvec3 Shader::texture_point(const PlacedTexture& texture, const Leaf& leaf, cons
 Color Shader::shade(const TracedRay& ray, const Hit& hit, float weight) {
   const Leaf& leaf = *hit.leaf;
   ScratchBlock<LightAtPoint> lights(scratch_.lights, light_count(leaf));
+  for (std::size_t i = 0; i < lights.size(); ++i) lights[i].reached = lights[i].shadowed = false;
   Surface surface{.in = ray, .hit = hit, .leaf = leaf, .weight = weight, .context = {}, .lights = &lights};
   face_ray(hit, ray.ray, leaf.uv_mapping || plan_.uv_patterns, surface.context, surface.from_inside);
 

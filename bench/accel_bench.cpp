@@ -6,7 +6,6 @@
 #include <cmath>
 #include <random>
 #include <stdexcept>
-#include <variant>
 
 #include "engine/accel/counters.hpp"
 #include "engine/accel/scene_tree.hpp"
@@ -31,8 +30,7 @@ const Surface& planet() {
     options.input_file = LUTE_BENCH_SCENES "/planet.pov";
     const ParseResult parsed = parse_scene(options);
     if (!parsed.ok) throw std::runtime_error("cannot read " + options.input_file);
-    const auto& shape = std::get<AnyShape>(parsed.scene.objects.at(1)->geometry);  // behind the light
-    const MeshData& mesh = *std::get<Mesh>(shape).data;
+    const MeshData& mesh = *parsed.scene.objects.at(1)->shape_if<Mesh>()->data;  // behind the light
     Surface s{mesh.vertices, {}};
     for (const MeshData::Indices& face : mesh.faces) s.faces.push_back({face[0], face[1], face[2]});
     return s;

@@ -9,7 +9,7 @@ namespace lute {
 
 bool holds_texture(const Object& object) {
   if (object.texture.texture != nullptr) return true;
-  const auto* csg = std::get_if<Csg>(&object.geometry);
+  const Csg* csg = object.csg();
   return csg != nullptr && std::ranges::any_of(csg->children, [](const ObjectPtr& child) { return holds_texture(*child); });
 }
 
@@ -24,22 +24,23 @@ SceneBuilder::Context SceneBuilder::resolve(const Object& object, const Context&
   own.visibility.no_shadow |= object.no_shadow;
   own.double_illuminate |= object.double_illuminate;
 
-  const auto* csg = std::get_if<Csg>(&object.geometry);
+  const Csg* csg = object.csg();
   if (csg != nullptr) own.cutaway |= csg->cutaway_textures;
   if (csg != nullptr && csg->operation == CsgOperation::kLightGroup) {
     own.global_lights = parent.light_group >= 0 && parent.global_lights;
     own.light_group = open_light_group(parent.light_group);
   }
-  if (object.global_lights) own.global_lights = *object.global_lights;
+  if (object.extras->global_lights) own.global_lights = *object.extras->global_lights;
 
-  if (std::holds_alternative<LightSource>(object.geometry)) {
+  if (object.light() != nullptr) {
     pass_textures(object, parent, own);
     return own;
   }
   // A shape keeps its own `hollow`; a combination's word reaches the shapes only where no outer one has spoken (§8.2).
   if (csg == nullptr ? object.hollow.has_value() : !parent.hollow) own.hollow = object.hollow;
   pass_textures(object, parent, own);
-  if (own.interior == nullptr || object.interior != nullptr) own.interior = new_interior(object.interior);
+  const InteriorPtr& interior = object.extras->interior;
+  if (own.interior == nullptr || interior != nullptr) own.interior = new_interior(interior);
   settle_interior(object, own);
   return own;
 }
@@ -47,17 +48,19 @@ SceneBuilder::Context SceneBuilder::resolve(const Object& object, const Context&
 void SceneBuilder::pass_textures(const Object& object, const Context& parent, Context& own) {
   // A texture of a uv mapped object is not moved with the object, nor by the parents.
   const auto placed = [&](const TextureOnObject& t) {
-    return Placed{t.texture, object.uv_mapping ? t.placement : t.placement.then(parent.to_world)};
+    if (object.uv_mapping) return Placed{t.texture, t.placement};
+    return Placed{t.texture, t.placement.shares(object.transform) ? own.to_world : t.placement.then(parent.to_world)};
   };
   const bool own_texture = object.texture.texture != nullptr;
-  const bool own_interior_texture = object.interior_texture.texture != nullptr;
+  const TextureOnObject& interior_texture = object.extras->interior_texture;
+  const bool own_interior_texture = interior_texture.texture != nullptr;
   own.uv_mapping = object.uv_mapping || (parent.uv_mapping && (!own_texture || !own_interior_texture));
   if (own_texture) own.texture = placed(object.texture);
-  if (own_interior_texture) own.interior_texture = placed(object.interior_texture);
+  if (own_interior_texture) own.interior_texture = placed(interior_texture);
 
-  const bool light = std::holds_alternative<LightSource>(object.geometry);
+  const bool light = object.light() != nullptr;
   if (own.texture.texture == nullptr && !light && !parent.stays_untextured && !holds_texture(object))
-    own.texture = {default_texture(), Transform()};
+    own.texture = {default_texture(), {}};
 }
 
 const TexturePtr& SceneBuilder::default_texture() {
@@ -93,7 +96,7 @@ BuiltInterior* SceneBuilder::new_interior(const InteriorPtr& description) {
 // The interior may be shared by the parts of a combination: the last one to be settled decides.
 void SceneBuilder::settle_interior(const Object& object, const Context& own) {
   BuiltInterior& interior = *own.interior;
-  const bool combination = std::holds_alternative<Csg>(object.geometry);
+  const bool combination = object.csg() != nullptr;
   interior.hollow = combination ? object.hollow.value_or(false) : own.hollow.value_or(false);
   if (own.texture.texture == nullptr) return;
   const auto* layers = std::get_if<std::vector<TextureLayer>>(&own.texture.texture->content);
@@ -109,7 +112,7 @@ void SceneBuilder::settle_interior(const Object& object, const Context& own) {
 
 PlacedTexture SceneBuilder::place(const Placed& placed) {
   if (placed.texture == nullptr) return {};
-  return {built_.textures->texture(placed.texture), placed.to_world.inverse()};
+  return {built_.textures->texture(placed.texture), placed.to_world};
 }
 
 void SceneBuilder::dress(const Object& object, const Context& own, Leaf& leaf) {
@@ -123,8 +126,8 @@ void SceneBuilder::dress(const Object& object, const Context& own, Leaf& leaf) {
 }
 
 void SceneBuilder::dress_parts(const Object& object, const Context& own, Leaf& leaf) {
-  const Transform whole = object.uv_mapping ? Transform() : own.to_world;
-  std::visit(
+  const SharedTransform whole = object.uv_mapping ? SharedTransform() : own.to_world;
+  object.shape()->visit(
       [&](const auto& shape) {
         using Description = std::decay_t<decltype(shape)>;
         if constexpr (std::is_same_v<Description, Mesh>) {
@@ -134,8 +137,7 @@ void SceneBuilder::dress_parts(const Object& object, const Context& own, Leaf& l
           for (const auto& component : shape.components)
             leaf.part_textures.push_back(place({component.texture, component.texture_placement.then(whole)}));
         }
-      },
-      std::get<AnyShape>(object.geometry));
+      });
 }
 
 }  // namespace lute

@@ -52,7 +52,7 @@ bool GeometryAnswers::inside(const ObjectPtr& object, const dvec3& point) {
 }
 
 bool GeometryAnswers::is_patch(const ObjectPtr& object) {
-  if (!std::holds_alternative<AnyShape>(object->geometry)) return false;
+  if (object->shape() == nullptr) return false;
   std::vector<const Leaf*> leaves;
   for (const auto& solid : built(object).scene.solids) solid->leaves(leaves);
   return !leaves.empty() && leaves.front()->shape->is_patch();

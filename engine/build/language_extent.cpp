@@ -95,7 +95,7 @@ bool stays_a_sphere(const Transform& transform) {
 Aabb shape_box(const Object& object, const AnyShape& shape, const TightBox& tight_box) {
   Object bare;
   bare.geometry = object.geometry;
-  return std::visit(
+  return shape.visit(
       [&]<class S>(const S& s) {
         if (const auto box = own_rule(s, object.transform)) return *box;
         if (kMovesItsNumbers<S> || (std::is_same_v<S, Sphere> && stays_a_sphere(object.transform))) {
@@ -103,18 +103,16 @@ Aabb shape_box(const Object& object, const AnyShape& shape, const TightBox& tigh
           return stored(tight_box(bare));
         }
         return moved(stored(tight_box(bare)), object.transform);
-      },
-      shape);
+      });
 }
 
 // The half space of a plane that is parallel to two axes, as a box: the only planes that bound an intersection.
 std::optional<Aabb> half_space(const Object& object, bool inverted) {
-  const auto* shape = std::get_if<AnyShape>(&object.geometry);
-  const auto* plane = shape != nullptr ? std::get_if<Plane>(shape) : nullptr;
+  const auto* plane = object.shape_if<Plane>();
   if (plane == nullptr) return std::nullopt;
   const dvec3 unit = plane->normal / glm::length(plane->normal);
-  const dvec3 normal = glm::normalize(object.transform.normal(unit));
-  const double distance = glm::dot(normal, object.transform.point(unit * plane->distance));
+  const dvec3 normal = glm::normalize(object.transform->normal(unit));
+  const double distance = glm::dot(normal, object.transform->point(unit * plane->distance));
   constexpr double kEpsilon = 1e-10;
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(normal[axis]) < 1 - kEpsilon) continue;
@@ -125,16 +123,13 @@ std::optional<Aabb> half_space(const Object& object, bool inverted) {
   return std::nullopt;
 }
 
-bool is_quadric(const Object& object) {
-  const auto* shape = std::get_if<AnyShape>(&object.geometry);
-  return shape != nullptr && std::holds_alternative<Quadric>(*shape);
-}
+bool is_quadric(const Object& object) { return object.shape_if<Quadric>() != nullptr; }
 
 Aabb csg_box(const Csg& csg, const TightBox& tight_box) {
   if (csg.operation == CsgOperation::kUnion || csg.operation == CsgOperation::kMerge || csg.operation == CsgOperation::kLightGroup) {
     Aabb box;
     for (const ObjectPtr& child : csg.children) {
-      if (!std::holds_alternative<LightSource>(child->geometry)) box.join(language_extent(*child, tight_box));
+      if (child->light() == nullptr) box.join(language_extent(*child, tight_box));
     }
     return stored(box);
   }
@@ -149,7 +144,7 @@ Aabb csg_box(const Csg& csg, const TightBox& tight_box) {
   }
   if (quadrics && infinite(box)) {
     Object bare;
-    bare.geometry = csg;
+    bare.geometry = Shared(csg);
     box = box.intersection(tight_box(bare));
   }
   return stored(box);
@@ -173,14 +168,14 @@ Aabb limited(const Aabb& box, const std::vector<ObjectPtr>& limits, const TightB
 
 Aabb language_extent(const Object& object, const TightBox& tight_box) {
   Aabb box;
-  if (const auto* csg = std::get_if<Csg>(&object.geometry)) {
+  if (const Csg* csg = object.csg()) {
     box = object.inverse ? tight_box(object) : moved(csg_box(*csg, tight_box), object.transform);
-  } else if (const auto* shape = std::get_if<AnyShape>(&object.geometry)) {
+  } else if (const AnyShape* shape = object.shape()) {
     box = shape_box(object, *shape, tight_box);
   } else {
     return everything();
   }
-  return limited(limited(box, object.bounded_by, tight_box), object.clipped_by, tight_box);
+  return limited(limited(box, object.extras->bounded_by, tight_box), object.extras->clipped_by, tight_box);
 }
 
 }  // namespace lute

@@ -1,7 +1,5 @@
 // Shapes and combinations. Source: specification chapter 20 §6-7.
 #include <algorithm>
-#include <string_view>
-#include <type_traits>
 
 #include "engine/build/scene_builder.hpp"
 
@@ -19,22 +17,17 @@ CsgKind kind_of(CsgOperation operation) {
   return CsgKind::kUnion;
 }
 
-bool is_light(const Object& object) { return std::holds_alternative<LightSource>(object.geometry); }
+bool is_light(const Object& object) { return object.light() != nullptr; }
 
 // The shapes whose bounding object is kept at top level (§7.2).
 bool keeps_bounds(const AnyShape& shape) {
-  return std::visit(
-      [](const auto& s) {
-        constexpr std::string_view keyword = std::decay_t<decltype(s)>::kKeyword;
-        return keyword == "poly" || keyword == "text";
-      },
-      shape);
+  return shape.get_if<Poly>() != nullptr || shape.get_if<Text>() != nullptr;
 }
 
 }  // namespace
 
 void SceneBuilder::add(const ObjectPtr& object) {
-  default_texture_ = object->default_texture;
+  default_texture_ = object->extras->default_texture;
   add_top_level(*object, unit_);
 }
 
@@ -45,11 +38,11 @@ void SceneBuilder::add_geometry(const ObjectPtr& object) {
 
 void SceneBuilder::add_top_level(const Object& object, const Context& parent) {
   const Context own = resolve(object, parent);
-  if (const auto* light = std::get_if<LightSource>(&object.geometry)) {
+  if (const LightSource* light = object.light()) {
     add_light(*light, object, own);
     return;
   }
-  const auto* csg = std::get_if<Csg>(&object.geometry);
+  const Csg* csg = object.csg();
   if (csg != nullptr && dissolves(object, *csg, own)) {
     const Context down = context_for_children(object, *csg, own);
     for (const ObjectPtr& child : csg->children) add_top_level(*child, down);
@@ -62,7 +55,7 @@ void SceneBuilder::add_top_level(const Object& object, const Context& parent) {
 
 long SceneBuilder::count_solids(const Object& object) const {
   if (is_light(object)) return 1;  // with what it looks like
-  const auto* csg = std::get_if<Csg>(&object.geometry);
+  const Csg* csg = object.csg();
   Context own;
   own.inverted = object.inverse;
   if (csg == nullptr || !dissolves(object, *csg, own)) return 1;
@@ -73,19 +66,18 @@ long SceneBuilder::count_solids(const Object& object) const {
 
 bool SceneBuilder::dissolves(const Object& object, const Csg& csg, const Context& own) const {
   if (kind_of(csg.operation) != CsgKind::kUnion || own.inverted) return false;
-  if (!object.clipped_by.empty() || !csg.split_union) return false;
-  return object.bounded_by.empty();
+  return csg.split_union && object.extras->clipped_by.empty() && object.extras->bounded_by.empty();
 }
 
 std::unique_ptr<Solid> SceneBuilder::solid(const Object& object, const Context& own, bool top_level) {
-  if (const auto* csg = std::get_if<Csg>(&object.geometry)) return combination(object, *csg, own);
+  if (const Csg* csg = object.csg()) return combination(object, *csg, own);
   return leaf(object, own, top_level);
 }
 
 std::unique_ptr<Solid> SceneBuilder::leaf(const Object& object, const Context& own, bool top_level) {
-  const auto& shape = std::get<AnyShape>(object.geometry);
+  const AnyShape& shape = *object.shape();
   auto leaf = std::make_unique<Leaf>();
-  leaf->shape = std::visit([&](const auto& s) { return build(s, own.to_world, shared_); }, shape);
+  leaf->shape = shape.visit([&](const auto& s) { return build(s, own.to_world, shared_); });
   leaf->inverted = own.inverted;
   leaf->double_illuminate = own.double_illuminate;
   leaf->interior = own.interior;
@@ -127,7 +119,7 @@ SceneBuilder::SolidList SceneBuilder::children(const Object& object, const Csg& 
     if (csg.operation == CsgOperation::kDifference && i > 0) parent.inverted = !parent.inverted;
     const Context resolved = resolve(child, parent);
     if (is_light(child))
-      add_light(std::get<LightSource>(child.geometry), child, resolved);
+      add_light(*child.light(), child, resolved);
     else
       parts.push_back(solid(child, resolved, false));
   }
@@ -145,7 +137,8 @@ SceneBuilder::Context SceneBuilder::context_for_children(const Object&, const Cs
 
 SceneBuilder::Limits SceneBuilder::limits(const Object& object, const Context& own) {
   Limits result;
-  if (object.clipped_by.empty() && object.bounded_by.empty()) return result;
+  const ObjectExtras& extras = *object.extras;
+  if (extras.clipped_by.empty() && extras.bounded_by.empty()) return result;
   // They are at their place in the space of the object's parent: the object's own transformation does not move them.
   Context parent;
   parent.to_world = own.parent_to_world;
@@ -160,8 +153,8 @@ SceneBuilder::Limits SceneBuilder::limits(const Object& object, const Context& o
       out.push_back(shared);
     }
   };
-  build_all(object.clipped_by, result.clips);
-  build_all(object.bounded_by, result.bounds);
+  build_all(extras.clipped_by, result.clips);
+  build_all(extras.bounded_by, result.bounds);
   geometry_only_ = outer;
   return result;
 }

@@ -50,12 +50,12 @@ class SceneBuilder {
   // A texture in the scene: the description and where it was written.
   struct Placed {
     TexturePtr texture;
-    Transform to_world;
+    SharedTransform to_world;
   };
 
   // What an object has once everything that its parents pass down is known; and passes on.
   struct Context {
-    Transform to_world, parent_to_world;
+    SharedTransform to_world, parent_to_world;
     Placed texture, interior_texture;
     bool uv_mapping = false;
     BuiltInterior* interior = nullptr;

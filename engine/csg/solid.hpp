@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/memory/shared_transform.hpp"
 #include "engine/shape/shape.hpp"
 
 namespace lute {
@@ -39,10 +40,10 @@ struct Visibility {
   }
 };
 
-// A texture in the built scene: `placement` carries the world point into the space that the texture was written in.
+// A texture in the built scene, and from the space that it was written in to the world.
 struct PlacedTexture {
   const CompiledTexture* texture = nullptr;
-  Transform placement;
+  SharedTransform to_world;
 };
 
 // One shape of the built scene and what it looks like.

@@ -84,6 +84,10 @@ dvec3 Transform::normal(const dvec3& n) const {
   return {glm::dot(inverse_linear[0], n), glm::dot(inverse_linear[1], n), glm::dot(inverse_linear[2], n)};
 }
 
+dvec3 Transform::inverse_normal(const dvec3& n) const {
+  return {glm::dot(linear[0], n), glm::dot(linear[1], n), glm::dot(linear[2], n)};
+}
+
 Aabb Transform::box(const Aabb& b) const {
   if (b.empty() || identity()) return b;
   if (!b.is_finite()) return Aabb::infinite();

@@ -48,6 +48,7 @@ struct Transform {
   dvec3 inverse_point(const dvec3& p) const { return inverse_linear * p + inverse_translation; }
   dvec3 inverse_direction(const dvec3& d) const { return inverse_linear * d; }
   dvec3 normal(const dvec3& n) const;  // inverse transpose, not normalised
+  dvec3 inverse_normal(const dvec3& n) const;
   Ray inverse_ray(const Ray& ray) const { return {inverse_point(ray.origin), inverse_direction(ray.direction)}; }
   Aabb box(const Aabb& b) const;  // box around the transformed box; infinite stays infinite
 };

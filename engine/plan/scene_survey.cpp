@@ -49,7 +49,7 @@ bool has_effect(const Rainbow& r) { return !r.colors.entries.empty() && r.width 
 SceneSurvey::SceneSurvey(const Scene& scene) {
   for (const ObjectPtr& o : scene.objects) {
     object(*o);
-    if (o->default_texture != nullptr) texture(*o->default_texture);
+    if (o->extras->default_texture != nullptr) texture(*o->extras->default_texture);
   }
   if (scene.sky_sphere)
     for (const PigmentPtr& p : scene.sky_sphere->pigments) pigment(*p);
@@ -57,21 +57,21 @@ SceneSurvey::SceneSurvey(const Scene& scene) {
 
 void SceneSurvey::object(const Object& o) {
   if (o.texture.texture) texture(*o.texture.texture);
-  if (o.interior_texture.texture) texture(*o.interior_texture.texture);
-  if (o.interior) interior(*o.interior);
+  if (o.extras->interior_texture.texture) texture(*o.extras->interior_texture.texture);
+  if (o.extras->interior) interior(*o.extras->interior);
   if (o.hollow.value_or(false)) note(hollow, o.where);
   if (o.uv_mapping) note(uv_pattern, o.where);
-  if (!o.clipped_by.empty() || !o.bounded_by.empty()) note(clipped, o.where);
-  if (const auto* l = std::get_if<LightSource>(&o.geometry)) {
+  if (!o.extras->clipped_by.empty() || !o.extras->bounded_by.empty()) note(clipped, o.where);
+  if (const LightSource* l = o.light()) {
     light_source(*l);
-  } else if (const auto* c = std::get_if<Csg>(&o.geometry)) {
+  } else if (const Csg* c = o.csg()) {
     const bool is_group = c->operation == CsgOperation::kLightGroup;
     note(is_group ? group : csg, o.where);
     // Where textures come from the solids around a cut, the surface may be anything.
     if (c->cutaway_textures) note(non_opaque, o.where);
     for (const ObjectPtr& child : c->children) object(*child);
   } else {
-    std::visit(
+    o.shape()->visit(
         [&](const auto& s) {
           using Description = std::decay_t<decltype(s)>;
           note(shapes[std::string(Description::kKeyword)], o.where);
@@ -81,8 +81,7 @@ void SceneSurvey::object(const Object& o) {
             for (const auto& part : s.components)
               if (part.texture) texture(*part.texture);
           }
-        },
-        std::get<AnyShape>(o.geometry));
+        });
   }
 }
 

@@ -7,7 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "engine/math/transform.hpp"
+#include "engine/memory/shared.hpp"
+#include "engine/memory/shared_transform.hpp"
 #include "engine/scene/interior.hpp"
 #include "engine/scene/light.hpp"
 #include "engine/scene/source_location.hpp"
@@ -28,28 +29,58 @@ struct Csg {
   bool cutaway_textures = false;
 };
 
-struct Object {
-  std::variant<AnyShape, Csg, LightSource> geometry;
-  Transform transform;  // this object's own modifiers, in order; the shape, or all children, are moved by it
-
-  TextureOnObject texture, interior_texture;
+// What few objects have: together behind one pointer, so that the many do without.
+struct ObjectExtras {
+  TextureOnObject interior_texture;
   TexturePtr default_texture;  // of a top-level object: the default in force at its end, for parts without texture; null: built-in
-  bool uv_mapping = false;
   InteriorPtr interior;
   std::vector<ObjectPtr> clipped_by;  // at their final place in this object's parent space
   std::vector<ObjectPtr> bounded_by;
-
-  bool inverse = false;
-  bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
-  bool double_illuminate = false;
-  std::optional<bool> hollow;        // unset: not given on this object
-  std::optional<bool> global_lights; // light_group and what it passes down
+  std::optional<bool> global_lights;  // light_group and what it passes down
   std::optional<bool> photon_refraction, photon_reflection;
   bool photon_target = false, photon_pass_through = false, photon_collect = true;
   float photon_density = 1;
   std::optional<float> radiosity_importance;
+};
+
+// Small, for there may be millions of them.
+struct Object {
+  std::variant<Shared<Csg>, AnyShape, Shared<LightSource>> geometry;
+  SharedTransform transform;  // this object's own modifiers, in order; the shape, or all children, are moved by it
+  TextureOnObject texture;
+  Shared<ObjectExtras> extras;
+
+  std::optional<bool> hollow;  // unset: not given on this object
+  bool uv_mapping : 1 = false;
+  bool inverse : 1 = false;
+  bool no_shadow : 1 = false, no_image : 1 = false, no_reflection : 1 = false, no_radiosity : 1 = false;
+  bool double_illuminate : 1 = false;
 
   SourceLocation where;
+
+  // What it is; null for the other kinds. Those that edit make sure that no copy sees the changes.
+  const AnyShape* shape() const { return std::get_if<AnyShape>(&geometry); }
+  const Csg* csg() const { return value(std::get_if<Shared<Csg>>(&geometry)); }
+  const LightSource* light() const { return value(std::get_if<Shared<LightSource>>(&geometry)); }
+  AnyShape* edit_shape() { return std::get_if<AnyShape>(&geometry); }
+  Csg* edit_csg() { return own(std::get_if<Shared<Csg>>(&geometry)); }
+  LightSource* edit_light() { return own(std::get_if<Shared<LightSource>>(&geometry)); }
+
+  template <class Shape>
+  const Shape* shape_if() const {
+    return shape() != nullptr ? shape()->get_if<Shape>() : nullptr;
+  }
+
+ private:
+  template <class T>
+  static const T* value(const Shared<T>* held) {
+    return held != nullptr ? &**held : nullptr;
+  }
+  template <class T>
+  static T* own(Shared<T>* held) {
+    return held != nullptr ? &held->edit() : nullptr;
+  }
 };
+static_assert(sizeof(Object) <= 72);
 
 }  // namespace lute

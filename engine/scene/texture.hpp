@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/image/color.hpp"
+#include "engine/memory/shared_transform.hpp"
 #include "engine/scene/finish.hpp"
 #include "engine/scene/source_location.hpp"
 #include "engine/texture/pattern/table.hpp"
@@ -100,7 +101,7 @@ struct Texture {
 // by later transformations of its object). Applied to the point before the texture's own chains, by its inverse.
 struct TextureOnObject {
   TexturePtr texture;  // null: none
-  Transform placement;
+  SharedTransform placement;
 };
 
 // The colours of a pattern whose pigment has no map (chapter 50 §10.3): black to white for most.

@@ -36,11 +36,11 @@ struct TracedRay {
   bool hollow() const;  // §3: every interior it is in is hollow
 };
 
-// The spaces around a texture, outermost first: the placement of the object's texture, then the pattern of each enclosing
+// The spaces around a texture, outermost first: that of the object's texture, then the pattern of each enclosing
 // texture. Normals are carried through them.
 struct TextureSpace {
   const TextureSpace* outer = nullptr;
-  const Transform* placement = nullptr;  // from world to texture space
+  const Transform* to_world = nullptr;  // from the space of the object's texture
   const CompiledPattern* pattern = nullptr;
 };
 

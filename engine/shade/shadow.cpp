@@ -85,9 +85,9 @@ Rgb Shader::shadow_filter(const Hit& hit, const Ray& ray, const InteriorList& in
   face_ray(hit, ray, leaf.uv_mapping || plan_.uv_patterns, context, from_inside);
   Rgb sum{0.0f};
   for_each_texture(hit, leaf, from_inside, [&](const PlacedTexture& texture, float share) {
-    const TextureSpace space{.placement = &texture.placement};
+    const TextureSpace space{.to_world = &*texture.to_world};
     const dvec3 point = texture_point(texture, leaf, hit, context);
-    const TextureSpace* outer = texture.placement.identity() ? nullptr : &space;
+    const TextureSpace* outer = texture.to_world.identity() ? nullptr : &space;
     sum += share * texture_filter(*texture.texture, point, outer, leaf, ray.direction, context);
   });
   const BuiltInterior& interior = *leaf.interior;

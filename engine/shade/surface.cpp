@@ -10,7 +10,7 @@ dvec3 carry_in(const TextureSpace* space, dvec3 normal, bool normalise) {
   if (space == nullptr) return normal;
   normal = carry_in(space->outer, normal, normalise);
   if (space->pattern != nullptr) return space->pattern->carry_in(normal, normalise);
-  const dvec3 carried = space->placement->normal(normal);
+  const dvec3 carried = space->to_world->inverse_normal(normal);
   return normalise ? glm::normalize(carried) : carried;
 }
 
@@ -19,7 +19,7 @@ dvec3 carry_out(const TextureSpace* space, dvec3 normal, bool normalise) {
     if (space->pattern != nullptr)
       normal = space->pattern->carry_out(normal, normalise);
     else
-      normal = glm::transpose(space->placement->linear) * normal;
+      normal = glm::transpose(space->to_world->inverse_linear) * normal;
   }
   return normal;
 }
@@ -42,7 +42,7 @@ void Shader::face_ray(const Hit& hit, const Ray& ray, bool wants_uv, SurfaceCont
 
 dvec3 Shader::texture_point(const PlacedTexture& texture, const Leaf& leaf, const Hit& hit, const SurfaceContext& context) {
   const dvec3 point = leaf.uv_mapping ? dvec3(context.uv, 0) : hit.point;
-  return texture.placement.identity() ? point : texture.placement.point(point);
+  return texture.to_world.identity() ? point : texture.to_world->inverse_point(point);
 }
 
 Color Shader::shade(const TracedRay& ray, const Hit& hit, float weight) {
@@ -56,9 +56,9 @@ Color Shader::shade(const TracedRay& ray, const Hit& hit, float weight) {
   const bool weighted = !leaf.part_textures.empty() || leaf.texture.texture == nullptr;
   for_each_texture(hit, leaf, surface.from_inside, [&](const PlacedTexture& texture, float share) {
     if (weighted && share < settings_.adc_bailout) return;
-    const TextureSpace space{.placement = &texture.placement};
+    const TextureSpace space{.to_world = &*texture.to_world};
     const dvec3 point = texture_point(texture, leaf, hit, surface.context);
-    const Color c = texture_color(surface, *texture.texture, point, texture.placement.identity() ? nullptr : &space);
+    const Color c = texture_color(surface, *texture.texture, point, texture.to_world.identity() ? nullptr : &space);
     if (weighted) {
       sum.rgb += share * c.rgb;
       sum.transmit += share * c.transmit;

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/memory/shared_transform.hpp"
 #include "engine/shape/shape.hpp"
 
 namespace lute {
@@ -29,9 +30,9 @@ struct BlobComponent {
   dvec3 center{0};      // of a sphere, or the base of a cylinder
   dvec3 apex{0, 1, 0};  // of a cylinder
   double radius = 1, strength = 1;
-  Transform transform;                     // of the component within the blob
+  SharedTransform transform;               // of the component within the blob
   std::shared_ptr<const Texture> texture;  // null: that of the blob
-  Transform texture_placement;             // within the blob; the blob's own transformation is added when it is built
+  SharedTransform texture_placement;       // within the blob; the blob's own transformation is added when it is built
 };
 
 struct Blob {

@@ -19,15 +19,15 @@ constexpr double kEdge = 1e-6;  // depths nearer to each other than this meet an
 // Faces are numbered 2 * axis + (1 at the upper corner).
 class SlabBox final : public ScannedShape<SlabBox> {
  public:
-  SlabBox(const Box& box, const Transform& to_world) {
+  SlabBox(const Box& box, const SharedTransform& to_world) {
     dvec3 a = box.corner_a;
     dvec3 b = box.corner_b;
-    if (to_world.kinds & (Transform::kRotate | Transform::kMatrix)) {
+    if (to_world->kinds & (Transform::kRotate | Transform::kMatrix)) {
       to_world_ = to_world;
       turned_ = true;
     } else if (!to_world.identity()) {
-      a = to_world.point(a);
-      b = to_world.point(b);
+      a = to_world->point(a);
+      b = to_world->point(b);
     }
     lo_ = glm::min(a, b);
     hi_ = glm::max(a, b);
@@ -35,25 +35,25 @@ class SlabBox final : public ScannedShape<SlabBox> {
     const dvec3 side = world.hi - world.lo;
     edge_ = kEdge * std::min(1.0, std::max({side.x, side.y, side.z}));
     // A point of the surface counts as inside, also when rounding moved it a little outward.
-    const dvec3 margin = kSurface * glm::max(glm::abs(lo_), glm::abs(hi_)) + kGrain * glm::abs(to_world_.inverse_translation);
+    const dvec3 margin = kSurface * glm::max(glm::abs(lo_), glm::abs(hi_)) + kGrain * glm::abs(to_world_->inverse_translation);
     solid_ = {lo_ - margin, hi_ + margin};
   }
 
   template <class Sink>
   void scan(const Ray& ray, Interval, Sink&& sink) const {
-    const Ray local = turned_ ? to_world_.inverse_ray(ray) : ray;
+    const Ray local = turned_ ? to_world_->inverse_ray(ray) : ray;
     Crossing crossing;
     if (!(cross_slab<0>(local, crossing) && cross_slab<1>(local, crossing) && cross_slab<2>(local, crossing))) return;
     if (crossing.near_face != kNone) sink(crossing.near, crossing.near_face);
     if (crossing.far_face != kNone) sink(crossing.far, crossing.far_face);
   }
 
-  Aabb bounds() const override { return to_world_.box({lo_, hi_}); }
+  Aabb bounds() const override { return to_world_->box({lo_, hi_}); }
   bool inside(const dvec3& point) const override { return solid_.contains(local_point(point)); }
   dvec3 normal(const ShapeHit& hit, const dvec3&) const override {
     dvec3 n(0);
     n[static_cast<int>(hit.part / 2)] = hit.part % 2 ? 1 : -1;
-    return turned_ ? glm::normalize(to_world_.normal(n)) : n;
+    return turned_ ? glm::normalize(to_world_->normal(n)) : n;
   }
   dvec2 uv(const ShapeHit& hit, const dvec3& point) const override {
     const dvec3 p = (local_point(point) - lo_) / (hi_ - lo_);
@@ -76,7 +76,7 @@ class SlabBox final : public ScannedShape<SlabBox> {
     std::uint32_t near_face = kNone, far_face = kNone;
   };
 
-  dvec3 local_point(const dvec3& point) const { return turned_ ? to_world_.inverse_point(point) : point; }
+  dvec3 local_point(const dvec3& point) const { return turned_ ? to_world_->inverse_point(point) : point; }
 
   // True if the ray runs more along `axis` than along that of the face found before it.
   static bool steeper(const dvec3& d, int axis, std::uint32_t face) {
@@ -114,12 +114,12 @@ class SlabBox final : public ScannedShape<SlabBox> {
   Aabb solid_;  // with the margin of the inside test
   double edge_ = kEdge;
   bool turned_ = false;
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Box& box, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const Box& box, const SharedTransform& to_world, BuildContext&) {
   return std::make_unique<SlabBox>(box, to_world);
 }
 

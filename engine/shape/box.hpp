@@ -23,6 +23,6 @@ struct Box {
   dvec3 corner_a{0}, corner_b{1};
 };
 
-std::unique_ptr<Shape> build(const Box& box, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Box& box, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

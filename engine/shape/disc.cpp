@@ -16,7 +16,7 @@ constexpr double kMaxDepth = 1e7;
 
 class FlatDisc final : public ScannedShape<FlatDisc> {
  public:
-  FlatDisc(const Disc& disc, const Transform& to_world)
+  FlatDisc(const Disc& disc, const SharedTransform& to_world)
       : radius2_(disc.radius * disc.radius), hole2_(disc.hole_radius * disc.hole_radius), radius_(disc.radius) {
     const double length = glm::length(disc.normal);
     if (length == 0) {
@@ -25,9 +25,9 @@ class FlatDisc final : public ScannedShape<FlatDisc> {
     }
     const Transform frame = axis_frame(disc.center, disc.normal / length, 1);
     to_world_ = to_world.identity() ? frame : frame.then(to_world);
-    const dvec3 n = to_world_.normal({0, 0, 1});
+    const dvec3 n = to_world_->normal({0, 0, 1});
     normal_ = glm::normalize(n);
-    center_ = to_world_.translation;
+    center_ = to_world_->translation;
   }
 
   template <class Sink>
@@ -36,7 +36,7 @@ class FlatDisc final : public ScannedShape<FlatDisc> {
     if (std::abs(slope) < kEpsilon) return;
     const double t = glm::dot(normal_, center_ - ray.origin) / slope;
     if (!(t < kMaxDepth)) return;
-    const dvec3 p = to_world_.inverse_direction(ray.at(t) - center_);
+    const dvec3 p = to_world_->inverse_direction(ray.at(t) - center_);
     const double distance2 = p.x * p.x + p.y * p.y;
     if (distance2 <= radius2_ && distance2 >= hole2_) sink(t, 0);
   }
@@ -51,18 +51,18 @@ class FlatDisc final : public ScannedShape<FlatDisc> {
     return box;
   }
   Aabb inside_bounds() const override { return Aabb::infinite(); }
-  bool inside(const dvec3& point) const override { return radius2_ >= 0 && to_world_.inverse_direction(point - center_).z < 0; }
+  bool inside(const dvec3& point) const override { return radius2_ >= 0 && to_world_->inverse_direction(point - center_).z < 0; }
   dvec3 normal(const ShapeHit&, const dvec3&) const override { return normal_; }
 
  private:
   double radius2_, hole2_, radius_;
   dvec3 normal_{0, 0, 1}, center_{0};
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Disc& disc, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const Disc& disc, const SharedTransform& to_world, BuildContext&) {
   return std::make_unique<FlatDisc>(disc, to_world);
 }
 

@@ -20,6 +20,6 @@ struct Disc {
   double radius = 1, hole_radius = 0;
 };
 
-std::unique_ptr<Shape> build(const Disc& disc, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Disc& disc, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

@@ -69,7 +69,7 @@ std::shared_ptr<const Made> shared(BuildContext& context, const void* key, Make&
 // A hit keeps its cell (x, z) and which of its triangles it is on (part 0: lower, 1: upper).
 class Landscape final : public ScannedShape<Landscape> {
  public:
-  Landscape(const HeightField& field, const Transform& to_world, BuildContext& context) : grid_(field.grid) {
+  Landscape(const HeightField& field, const SharedTransform& to_world, BuildContext& context) : grid_(field.grid) {
     const HeightGrid& grid = *grid_;
     pyramid_ = shared<HeightPyramid>(context, grid_.get(), [&] { return HeightPyramid(grid); });
     if (field.smooth) normals_ = shared<VertexNormals>(context, &grid.heights, [&] { return VertexNormals(grid); });
@@ -81,7 +81,7 @@ class Landscape final : public ScannedShape<Landscape> {
 
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
-    const Ray local = to_world_.inverse_ray(ray);
+    const Ray local = to_world_->inverse_ray(ray);
     const dvec3 reciprocal = 1.0 / local.direction;
     if (!cut(local, reciprocal, {0, low_, 0}, {grid_->width - 1.0, high_, grid_->depth - 1.0}, range)) return;
     // From square to square along the ray: down a level where the ray may meet the heights, up again where it leaves a larger square.
@@ -120,14 +120,14 @@ class Landscape final : public ScannedShape<Landscape> {
     }
   }
 
-  Aabb bounds() const override { return to_world_.box({{0, low_, 0}, {grid_->width - 1.0, high_, grid_->depth - 1.0}}); }
+  Aabb bounds() const override { return to_world_->box({{0, low_, 0}, {grid_->width - 1.0, high_, grid_->depth - 1.0}}); }
   // The ground has no bottom. Each corner of the box goes as far as the signs of the matrix carry it; zero times the depth is zero.
   Aabb inside_bounds() const override {
     const Aabb ground{{0, -kNever, 0}, {grid_->width - 1.0, high_, grid_->depth - 1.0}};
-    Aabb box{to_world_.translation, to_world_.translation};
+    Aabb box{to_world_->translation, to_world_->translation};
     for (int axis = 0; axis < 3; ++axis)
       for (int own = 0; own < 3; ++own) {
-        const double factor = to_world_.linear[own][axis];
+        const double factor = to_world_->linear[own][axis];
         if (factor == 0) continue;
         box.lo[axis] += factor * (factor > 0 ? ground.lo : ground.hi)[own];
         box.hi[axis] += factor * (factor > 0 ? ground.hi : ground.lo)[own];
@@ -135,7 +135,7 @@ class Landscape final : public ScannedShape<Landscape> {
     return box;
   }
   bool inside(const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     if (!(p.x >= 0 && p.x < grid_->width - 1 && p.z >= 0 && p.z < grid_->depth - 1) || p.y >= high_) return false;
     if (p.y < low_) return true;
     const int x = static_cast<int>(p.x);
@@ -155,15 +155,15 @@ class Landscape final : public ScannedShape<Landscape> {
   dvec3 normal(const ShapeHit& hit, const dvec3& point) const override {
     const int x = static_cast<int>(hit.data[0]);
     const int z = static_cast<int>(hit.data[1]);
-    if (!normals_) return glm::normalize(to_world_.normal(face_normal(x, z, hit.part)));
-    const dvec3 p = to_world_.inverse_point(point);
+    if (!normals_) return glm::normalize(to_world_->normal(face_normal(x, z, hit.part)));
+    const dvec3 p = to_world_->inverse_point(point);
     const int i = std::clamp(static_cast<int>(std::floor(p.x)), 0, grid_->width - 2);
     const int k = std::clamp(static_cast<int>(std::floor(p.z)), 0, grid_->depth - 2);
     const double s = p.x - i;
     const double r = p.z - k;
     const auto at = [&](int a, int b) {
       const VertexNormal& n = normals_->at(a, b);
-      return glm::normalize(to_world_.normal({n[0], n[1], n[2]}));
+      return glm::normalize(to_world_->normal({n[0], n[1], n[2]}));
     };
     return glm::normalize((1 - r) * ((1 - s) * at(i, k) + s * at(i + 1, k)) +
                           r * ((1 - s) * at(i, k + 1) + s * at(i + 1, k + 1)));
@@ -222,12 +222,12 @@ class Landscape final : public ScannedShape<Landscape> {
   std::shared_ptr<const HeightPyramid> pyramid_;
   std::shared_ptr<const VertexNormals> normals_;  // null: flat triangles
   double low_ = 0, high_ = 0;                     // of the box, in units of height
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const HeightField& field, const Transform& to_world, BuildContext& context) {
+std::unique_ptr<Shape> build(const HeightField& field, const SharedTransform& to_world, BuildContext& context) {
   return std::make_unique<Landscape>(field, to_world, context);
 }
 

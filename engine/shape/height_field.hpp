@@ -37,6 +37,6 @@ struct HeightField {
   bool smooth = false;
 };
 
-std::unique_ptr<Shape> build(const HeightField& field, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const HeightField& field, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

@@ -35,7 +35,7 @@ struct ComplexPair {
 // A hit keeps its place in the fractal's space, or for functions its normal there.
 class JuliaSet final : public ScannedShape<JuliaSet> {
  public:
-  JuliaSet(const JuliaFractal& fractal, const Transform& to_world)
+  JuliaSet(const JuliaFractal& fractal, const SharedTransform& to_world)
       : f_(fractal), steps_(static_cast<std::size_t>(fractal.max_iteration)), least_step_(1 / fractal.precision), to_world_(to_world) {
     quaternion_ = f_.algebra == Algebra::kQuaternion;
     radius_ = quaternion_ ? std::min(2.0, 1 + glm::length(f_.constant) + 1e-7) : 4;
@@ -48,7 +48,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
 
   template <class Sink>
   void scan(const Ray& ray, Interval, Sink&& sink) const {
-    Ray local = to_world_.inverse_ray(ray);
+    Ray local = to_world_->inverse_ray(ray);
     const double length = glm::length(local.direction);
     local.direction /= length;
     const double b = -glm::dot(local.origin, local.direction);
@@ -97,13 +97,13 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     dvec3 reach;
     for (int axis = 0; axis < 3; ++axis)
       reach[axis] =
-          radius_ * glm::length(dvec3(to_world_.linear[0][axis], to_world_.linear[1][axis], to_world_.linear[2][axis]));
-    return {to_world_.translation - reach, to_world_.translation + reach};
+          radius_ * glm::length(dvec3(to_world_->linear[0][axis], to_world_->linear[1][axis], to_world_->linear[2][axis]));
+    return {to_world_->translation - reach, to_world_->translation + reach};
   }
   bool inside(const dvec3& point) const override {
     thread_local Orbit orbit;
     orbit.resize(steps_ + 1);
-    return stays(to_world_.inverse_point(point), orbit);
+    return stays(to_world_->inverse_point(point), orbit);
   }
   dvec3 normal(const ShapeHit& hit, const dvec3&) const override {
     dvec3 local(hit.data[0], hit.data[1], hit.data[2]);
@@ -113,7 +113,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
       escape_step(plain_start(local), orbit);
       local = quaternion_ ? quaternion_normal(orbit) : hypercomplex_normal(orbit, steps_);
     }
-    const dvec3 n = to_world_.normal(local);
+    const dvec3 n = to_world_->normal(local);
     const double length = glm::length(n);
     return length > 0 ? n / length : dvec3(1, 0, 0);
   }
@@ -270,12 +270,12 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   std::vector<double> shares_;  // [i]: 2⁻ⁱ or 3⁻ⁱ
   double radius_ = 2, escape_ = 4;
   bool quaternion_ = true, squares_ = false, by_function_ = false;
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const JuliaFractal& fractal, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const JuliaFractal& fractal, const SharedTransform& to_world, BuildContext&) {
   return std::make_unique<JuliaSet>(fractal, to_world);
 }
 

@@ -38,6 +38,6 @@ struct JuliaFractal {
   double slice_distance = 0;
 };
 
-std::unique_ptr<Shape> build(const JuliaFractal& fractal, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const JuliaFractal& fractal, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

@@ -40,7 +40,7 @@ std::vector<PlanarSegment> profile(const Lathe& lathe) {
 // A hit keeps the segment as its part and the curve's parameter.
 class TurnedProfile final : public ScannedShape<TurnedProfile> {
  public:
-  TurnedProfile(const Lathe& lathe, const Transform& to_world) : to_world_(to_world) {
+  TurnedProfile(const Lathe& lathe, const SharedTransform& to_world) : to_world_(to_world) {
     degree_ = lathe.spline == PlanarSpline::kLinear ? 1 : lathe.spline == PlanarSpline::kQuadratic ? 2 : 3;
     heights_ = radii_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const PlanarSegment& curve : profile(lathe)) {
@@ -56,7 +56,7 @@ class TurnedProfile final : public ScannedShape<TurnedProfile> {
 
   template <class Sink>
   void scan(const Ray& ray, Interval, Sink&& sink) const {
-    Ray local = to_world_.inverse_ray(ray);
+    Ray local = to_world_->inverse_ray(ray);
     const double length = glm::length(local.direction);
     local.direction /= length;
     const double shift = glm::dot(dvec3(0, 0.5 * (heights_.lo + heights_.hi), 0) - local.origin, local.direction);
@@ -76,10 +76,10 @@ class TurnedProfile final : public ScannedShape<TurnedProfile> {
 
   Aabb bounds() const override {
     if (segments_.empty()) return {};
-    return to_world_.box({{-radii_.hi, heights_.lo, -radii_.hi}, {radii_.hi, heights_.hi, radii_.hi}});
+    return to_world_->box({{-radii_.hi, heights_.lo, -radii_.hi}, {radii_.hi, heights_.hi, radii_.hi}});
   }
   bool inside(const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     const double rho = std::hypot(p.x, p.z);
     if (!heights_.contains(p.y) || !radii_.contains(rho)) return false;
     bool odd = false;
@@ -93,14 +93,14 @@ class TurnedProfile final : public ScannedShape<TurnedProfile> {
     return odd;
   }
   dvec3 normal(const ShapeHit& hit, const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     const double rho2 = p.x * p.x + p.z * p.z;
     const dvec2 tangent = segments_[hit.part].curve.tangent(hit.data[0]);
     const dvec3 n = rho2 > kEpsilon ? dvec3(tangent.y * p.x, -tangent.x * std::sqrt(rho2), tangent.y * p.z) : dvec3(0, 1, 0);
-    return glm::normalize(to_world_.normal(n));
+    return glm::normalize(to_world_->normal(n));
   }
   dvec2 uv(const ShapeHit& hit, const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     return {longitude_share(p.x, p.z), std::min(1.0, (hit.data[0] + hit.part) / static_cast<double>(segments_.size()))};
   }
 
@@ -169,12 +169,12 @@ class TurnedProfile final : public ScannedShape<TurnedProfile> {
   std::vector<LatheSegment> segments_;
   std::size_t degree_ = 1;
   Interval heights_, radii_;
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Lathe& lathe, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const Lathe& lathe, const SharedTransform& to_world, BuildContext&) {
   return std::make_unique<TurnedProfile>(lathe, to_world);
 }
 

@@ -28,6 +28,6 @@ struct Lathe {
   bool sturm = false;
 };
 
-std::unique_ptr<Shape> build(const Lathe& lathe, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Lathe& lathe, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

@@ -42,14 +42,14 @@ struct LocalRay {
 
 class MeshShape final : public Shape {
  public:
-  MeshShape(std::shared_ptr<const SharedMesh> shared, const dvec3& inside_vector, const Transform& to_world)
+  MeshShape(std::shared_ptr<const SharedMesh> shared, const dvec3& inside_vector, const SharedTransform& to_world)
       : shared_(std::move(shared)), mesh_(*shared_->data), to_world_(to_world) {
     const auto counts = [](double component) { return std::abs(component) >= kEpsilon; };
     is_patch_ = !(counts(inside_vector.x) || counts(inside_vector.y) || counts(inside_vector.z));
     if (!is_patch_) inside_vector_ = glm::normalize(inside_vector);
   }
 
-  Aabb bounds() const override { return to_world_.box(shared_->tree.bounds()); }
+  Aabb bounds() const override { return to_world_->box(shared_->tree.bounds()); }
   bool is_patch() const override { return is_patch_; }
 
   bool nearest(const Ray& ray, Interval range, ShapeHit& hit) const override {
@@ -86,7 +86,7 @@ class MeshShape final : public Shape {
 
   dvec3 normal(const ShapeHit& hit, const dvec3&) const override {
     const dvec3 local = local_normal(hit);
-    return to_world_.identity() ? local : glm::normalize(to_world_.normal(local));
+    return to_world_.identity() ? local : glm::normalize(to_world_->normal(local));
   }
 
   dvec2 uv(const ShapeHit& hit, const dvec3&) const override {
@@ -128,14 +128,14 @@ class MeshShape final : public Shape {
 
   std::shared_ptr<const SharedMesh> shared_;
   const MeshData& mesh_;
-  Transform to_world_;
+  SharedTransform to_world_;
   dvec3 inside_vector_{0};  // world direction: it does not turn with the mesh (chapter 21 §3.5)
   bool is_patch_ = true;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Mesh& mesh, const Transform& to_world, BuildContext& context) {
+std::unique_ptr<Shape> build(const Mesh& mesh, const SharedTransform& to_world, BuildContext& context) {
   auto shared = std::static_pointer_cast<const SharedMesh>(context.find_shared(mesh.data.get()));
   if (!shared) {
     shared = std::make_shared<const SharedMesh>(mesh.data);

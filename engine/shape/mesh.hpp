@@ -41,6 +41,6 @@ struct Mesh {
   bool hierarchy = true;
 };
 
-std::unique_ptr<Shape> build(const Mesh& mesh, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Mesh& mesh, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

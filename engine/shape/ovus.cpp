@@ -16,7 +16,7 @@ enum Part : std::uint32_t { kBottom, kTop, kJoint };
 
 class Egg final : public ScannedShape<Egg> {
  public:
-  Egg(const Ovus& ovus, const Transform& to_world) : bottom_(ovus.bottom_radius), top_(ovus.top_radius), to_world_(to_world) {
+  Egg(const Ovus& ovus, const SharedTransform& to_world) : bottom_(ovus.bottom_radius), top_(ovus.top_radius), to_world_(to_world) {
     const double b = bottom_;
     const double t = top_;
     if (b > t) {
@@ -36,7 +36,7 @@ class Egg final : public ScannedShape<Egg> {
 
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
-    Ray local = to_world_.inverse_ray(ray);
+    Ray local = to_world_->inverse_ray(ray);
     const double length = glm::length(local.direction);
     local.direction /= length;
     int found = 0;
@@ -60,27 +60,27 @@ class Egg final : public ScannedShape<Egg> {
 
   Aabb bounds() const override {
     const double reach = std::max({bottom_, top_, joint_ - ring_});
-    return to_world_.box({{-reach, -bottom_, -reach}, {reach, bottom_ + top_, reach}});
+    return to_world_->box({{-reach, -bottom_, -reach}, {reach, bottom_ + top_, reach}});
   }
   bool inside(const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     if (glm::length(p) < bottom_ || glm::length(p - dvec3(0, bottom_, 0)) < top_) return true;
     const double r = std::hypot(p.x, p.z) + ring_;
     const double y = p.y - center_y_;
     return p.y > y_lo_ && p.y < y_hi_ && r * r + y * y < joint_ * joint_;
   }
   dvec3 normal(const ShapeHit& hit, const dvec3& point) const override {
-    dvec3 p = to_world_.inverse_point(point);
+    dvec3 p = to_world_->inverse_point(point);
     if (hit.part == kTop) p.y -= bottom_;
     if (hit.part == kJoint) {
       const double rho = std::hypot(p.x, p.z);
       const double k = rho > 0 ? 1 + ring_ / rho : 1;
       p = {p.x * k, p.y - center_y_, p.z * k};
     }
-    return glm::normalize(to_world_.normal(p));
+    return glm::normalize(to_world_->normal(p));
   }
   dvec2 uv(const ShapeHit&, const dvec3& point) const override {
-    return unit_sphere_uv(glm::normalize(to_world_.inverse_point(point) - dvec3(0, top_ / 2, 0)));
+    return unit_sphere_uv(glm::normalize(to_world_->inverse_point(point) - dvec3(0, top_ / 2, 0)));
   }
 
  private:
@@ -132,12 +132,12 @@ class Egg final : public ScannedShape<Egg> {
   double bottom_, top_;
   double joint_ = 0, center_y_ = 0, ring_ = 0;  // K, V, H
   double y_lo_ = 0, y_hi_ = 0;
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Ovus& ovus, const Transform& to_world, BuildContext& context) {
+std::unique_ptr<Shape> build(const Ovus& ovus, const SharedTransform& to_world, BuildContext& context) {
   if (ovus.top_radius >= 2 * ovus.bottom_radius)
     return build(Sphere{{0, ovus.bottom_radius, 0}, ovus.top_radius}, to_world, context);
   return std::make_unique<Egg>(ovus, to_world);

@@ -20,6 +20,6 @@ struct Ovus {
   bool sturm = false;
 };
 
-std::unique_ptr<Shape> build(const Ovus& ovus, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Ovus& ovus, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

@@ -84,13 +84,13 @@ class BoxTree {
 // A hit keeps (u, v).
 class ParametricSurface final : public ScannedShape<ParametricSurface> {
  public:
-  ParametricSurface(const Parametric& parametric, const Transform& to_world, std::shared_ptr<const BoxTree> tree)
+  ParametricSurface(const Parametric& parametric, const SharedTransform& to_world, std::shared_ptr<const BoxTree> tree)
       : p_(parametric), depth_accuracy_(depth_accuracy(parametric.accuracy, parametric.container, to_world)), to_world_(to_world),
         tree_(std::move(tree)) {}
 
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
-    const Ray local = to_world_.inverse_ray(ray);
+    const Ray local = to_world_->inverse_ray(ray);
     Container::Passage passage;
     if (!p_.container.cross(local, passage) || passage.depths.hi < 0) return;
     const Interval depths{std::max(0.0, passage.depths.lo) + 4 * depth_accuracy_, passage.depths.hi};
@@ -120,7 +120,7 @@ class ParametricSurface final : public ScannedShape<ParametricSurface> {
     if (best < depths.hi) sink(best, 0, std::array<double, 3>{best_uv.x, best_uv.y, 0});
   }
 
-  Aabb bounds() const override { return to_world_.box(p_.container.box()); }
+  Aabb bounds() const override { return to_world_->box(p_.container.box()); }
   bool inside(const dvec3&) const override { return false; }
   bool inside_inverted(const dvec3&) const override { return false; }
   bool is_patch() const override { return true; }
@@ -129,7 +129,7 @@ class ParametricSurface final : public ScannedShape<ParametricSurface> {
     const dvec3 here = at(uv);
     const dvec3 n = glm::cross(at(uv + dvec2(p_.accuracy, 0)) - here, at(uv + dvec2(0, p_.accuracy)) - here);
     const double length = glm::length(n);
-    return length > 0 ? glm::normalize(to_world_.normal(n / length)) : dvec3(1, 0, 0);
+    return length > 0 ? glm::normalize(to_world_->normal(n / length)) : dvec3(1, 0, 0);
   }
   dvec2 uv(const ShapeHit& hit, const dvec3&) const override { return {hit.data[0], hit.data[1]}; }
 
@@ -208,7 +208,7 @@ class ParametricSurface final : public ScannedShape<ParametricSurface> {
 
   Parametric p_;
   double depth_accuracy_;
-  Transform to_world_;
+  SharedTransform to_world_;
   std::shared_ptr<const BoxTree> tree_;
 };
 
@@ -236,7 +236,7 @@ class BoxTrees {
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Parametric& parametric, const Transform& to_world, BuildContext& context) {
+std::unique_ptr<Shape> build(const Parametric& parametric, const SharedTransform& to_world, BuildContext& context) {
   // The function's own address is that of what isosurfaces share.
   const void* key = reinterpret_cast<const char*>(parametric.functions[0].get()) + 1;
   auto trees = std::static_pointer_cast<const BoxTrees>(context.find_shared(key));

@@ -30,6 +30,6 @@ struct Parametric {
   double accuracy = 0.001, max_gradient = 1;
 };
 
-std::unique_ptr<Shape> build(const Parametric& parametric, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Parametric& parametric, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

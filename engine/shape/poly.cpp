@@ -35,14 +35,14 @@ struct AlongRay {
 
 class PolySurface final : public ScannedShape<PolySurface> {
  public:
-  PolySurface(const Poly& poly, const Transform& to_world)
+  PolySurface(const Poly& poly, const SharedTransform& to_world)
       : order_(poly.order), coefficients_(poly.coefficients), to_world_(to_world) {
     note_terms();
   }
 
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
-    const Ray local = to_world_.identity() ? ray : to_world_.inverse_ray(ray);
+    const Ray local = to_world_.identity() ? ray : to_world_->inverse_ray(ray);
     const double length = glm::length(local.direction);
     const dvec3 d = local.direction / length;
     const double shift = -glm::dot(local.origin, d);
@@ -60,9 +60,9 @@ class PolySurface final : public ScannedShape<PolySurface> {
   }
 
   Aabb bounds() const override { return Aabb::infinite(); }
-  bool inside(const dvec3& point) const override { return value(to_world_.inverse_point(point)) < kInsideTolerance; }
+  bool inside(const dvec3& point) const override { return value(to_world_->inverse_point(point)) < kInsideTolerance; }
   dvec3 normal(const ShapeHit&, const dvec3& point) const override {
-    const dvec3 gradient = to_world_.normal(gradient_at(to_world_.inverse_point(point)));
+    const dvec3 gradient = to_world_->normal(gradient_at(to_world_->inverse_point(point)));
     const double length = glm::length(gradient);
     return length > 0 ? gradient / length : dvec3(1, 0, 0);
   }
@@ -162,12 +162,12 @@ class PolySurface final : public ScannedShape<PolySurface> {
   int order_;
   std::vector<double> coefficients_;
   std::vector<char> terms_of_x_, terms_of_y_;
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Poly& poly, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const Poly& poly, const SharedTransform& to_world, BuildContext&) {
   return std::make_unique<PolySurface>(poly, to_world);
 }
 

@@ -40,6 +40,6 @@ struct Poly {
   }
 };
 
-std::unique_ptr<Shape> build(const Poly& poly, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Poly& poly, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

@@ -65,12 +65,12 @@ bool find_axes(const std::vector<dvec3>& p, dvec3& a, dvec3& b, dvec3& w) {
 
 class FlatPolygon final : public ScannedShape<FlatPolygon> {
  public:
-  FlatPolygon(const std::vector<dvec3>& points, const dvec3& a, const dvec3& b, const dvec3& w, const Transform& to_world)
-      : origin_(to_world.point(points[0])), normal_(glm::normalize(to_world.normal(w))), to_world_(to_world), axis_a_(a), axis_b_(b) {
+  FlatPolygon(const std::vector<dvec3>& points, const dvec3& a, const dvec3& b, const dvec3& w, const SharedTransform& to_world)
+      : origin_(to_world->point(points[0])), normal_(glm::normalize(to_world->normal(w))), to_world_(to_world), axis_a_(a), axis_b_(b) {
     local_origin_ = points[0];
     bool closed = true;
     for (const Edge& edge : edges_of(points, closed)) edges_.push_back({planar(edge.from), planar(edge.to)});
-    for (const dvec3& point : points) box_.join(to_world.point(point));
+    for (const dvec3& point : points) box_.join(to_world->point(point));
   }
 
   template <class Sink>
@@ -78,7 +78,7 @@ class FlatPolygon final : public ScannedShape<FlatPolygon> {
     const double slope = glm::dot(normal_, ray.direction);
     if (std::abs(slope) < kEpsilon) return;
     const double t = glm::dot(normal_, origin_ - ray.origin) / slope;
-    if (t <= kMaxDepth && contains(planar(to_world_.inverse_point(ray.at(t))))) sink(t, 0);
+    if (t <= kMaxDepth && contains(planar(to_world_->inverse_point(ray.at(t))))) sink(t, 0);
   }
 
   Aabb bounds() const override { return box_; }
@@ -105,7 +105,7 @@ class FlatPolygon final : public ScannedShape<FlatPolygon> {
   }
 
   dvec3 origin_, normal_;
-  Transform to_world_;
+  SharedTransform to_world_;
   dvec3 local_origin_{0}, axis_a_, axis_b_;
   std::vector<PlanarEdge> edges_;
   Aabb box_;
@@ -119,7 +119,7 @@ bool polygon_is_closed(const Polygon& polygon) {
   return closed;
 }
 
-std::unique_ptr<Shape> build(const Polygon& polygon, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const Polygon& polygon, const SharedTransform& to_world, BuildContext&) {
   dvec3 a, b, w;
   if (polygon.points.size() < 3 || !find_axes(polygon.points, a, b, w)) return build_empty_shape(true);
   return std::make_unique<FlatPolygon>(polygon.points, a, b, w, to_world);

@@ -24,6 +24,6 @@ struct Polygon {
 // False if the last sub-polygon is open ("Polygon not closed. Closing it.").
 bool polygon_is_closed(const Polygon& polygon);
 
-std::unique_ptr<Shape> build(const Polygon& polygon, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Polygon& polygon, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

@@ -101,7 +101,7 @@ enum Part : std::uint32_t { kCaps, kFirstSegment };
 // A hit on a side keeps the segment in its part and the curve's parameter.
 class SweptOutline final : public ScannedShape<SweptOutline> {
  public:
-  SweptOutline(const Prism& prism, const Transform& to_world)
+  SweptOutline(const Prism& prism, const SharedTransform& to_world)
       : conic_(prism.conic),
         open_(prism.open),
         low_(std::min(prism.height_1, prism.height_2)),
@@ -123,7 +123,7 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
 
   template <class Sink>
   void scan(const Ray& ray, Interval, Sink&& sink) const {
-    Ray local = to_world_.inverse_ray(ray);
+    Ray local = to_world_->inverse_ray(ray);
     const double length = glm::length(local.direction);
     local.direction /= length;
     const double dy = local.direction.y;
@@ -153,25 +153,25 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
   }
 
   Aabb bounds() const override {
-    return segments_.empty() ? Aabb{} : to_world_.box(local_box());
+    return segments_.empty() ? Aabb{} : to_world_->box(local_box());
   }
   bool inside(const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     return p.y >= low_ && p.y < high_ && in_section(p.x, p.z, p.y);
   }
   dvec3 normal(const ShapeHit& hit, const dvec3& point) const override {
-    if (hit.part == kCaps) return glm::normalize(to_world_.normal({0, 1, 0}));
+    if (hit.part == kCaps) return glm::normalize(to_world_->normal({0, 1, 0}));
     const dvec2 tangent = segments_[hit.part - kFirstSegment].curve.tangent(hit.data[0]);
     dvec3 n(tangent.y, 0, -tangent.x);
     if (conic_) {
-      const dvec3 p = to_world_.inverse_point(point);
+      const dvec3 p = to_world_->inverse_point(point);
       if (std::abs(p.y) > kEpsilon) {
         n.y = -(p.x * tangent.y - p.z * tangent.x) / p.y;
       } else {
         n = {0, 1, 0};
       }
     }
-    return glm::normalize(to_world_.normal(n));
+    return glm::normalize(to_world_->normal(n));
   }
 
  private:
@@ -318,7 +318,7 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
   bool conic_, open_;
   double low_, high_;
   Interval x_, z_;
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
@@ -333,7 +333,7 @@ PrismOutline prism_outline(const Prism& prism) {
   return bezier_outline(prism.points);
 }
 
-std::unique_ptr<Shape> build(const Prism& prism, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const Prism& prism, const SharedTransform& to_world, BuildContext&) {
   return std::make_unique<SweptOutline>(prism, to_world);
 }
 

@@ -37,6 +37,6 @@ struct PrismOutline {
 };
 PrismOutline prism_outline(const Prism& prism);
 
-std::unique_ptr<Shape> build(const Prism& prism, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Prism& prism, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

@@ -3,7 +3,7 @@
 //
 // To add a primitive, write `engine/shape/<name>.{hpp,cpp}` with
 //   * a plain struct, its description as the scene file says it, with `static constexpr std::string_view kKeyword`;
-//   * `std::unique_ptr<Shape> build(const Name&, const Transform& to_world, BuildContext&)`;
+//   * `std::unique_ptr<Shape> build(const Name&, const SharedTransform& to_world, BuildContext&)`;
 // and add
 //   * its include and its alternative to `engine/shape/table.hpp`;
 //   * a parser to one of `parser/statement/*_shape.{hpp,cpp}`, and its line in kPrimitives (`parser/statement/primitive.cpp`);
@@ -20,7 +20,7 @@
 #include "engine/math/aabb.hpp"
 #include "engine/math/interval.hpp"
 #include "engine/math/ray.hpp"
-#include "engine/math/transform.hpp"
+#include "engine/memory/shared_transform.hpp"
 
 namespace lute {
 

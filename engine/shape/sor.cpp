@@ -39,7 +39,7 @@ SorSegment sor_segment(const dvec2& p0, const dvec2& p1, const dvec2& p2, const 
 // Parts: the segments, then base and cap.
 class TurnedSurface final : public ScannedShape<TurnedSurface> {
  public:
-  TurnedSurface(const Sor& sor, const Transform& to_world) : open_(sor.open), to_world_(to_world) {
+  TurnedSurface(const Sor& sor, const SharedTransform& to_world) : open_(sor.open), to_world_(to_world) {
     const std::vector<dvec2>& p = sor.points;
     for (std::size_t i = 0; i + 4 <= p.size(); ++i) {
       segments_.push_back(sor_segment(p[i], p[i + 1], p[i + 2], p[i + 3]));
@@ -55,7 +55,7 @@ class TurnedSurface final : public ScannedShape<TurnedSurface> {
   template <class Sink>
   void scan(const Ray& ray, Interval, Sink&& sink) const {
     if (segments_.empty()) return;
-    Ray local = to_world_.inverse_ray(ray);
+    Ray local = to_world_->inverse_ray(ray);
     const double length = glm::length(local.direction);
     local.direction /= length;
     const double shift = glm::dot(dvec3(0, 0.5 * (low_ + high_), 0) - local.origin, local.direction);
@@ -70,10 +70,10 @@ class TurnedSurface final : public ScannedShape<TurnedSurface> {
 
   Aabb bounds() const override {
     if (segments_.empty()) return {};
-    return to_world_.box({{-reach_, low_, -reach_}, {reach_, high_, reach_}});
+    return to_world_->box({{-reach_, low_, -reach_}, {reach_, high_, reach_}});
   }
   bool inside(const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     for (const SorSegment& segment : segments_) {
       if (!segment.shell.heights.contains(p.y)) continue;
       return p.x * p.x + p.z * p.z <= std::min(segment.at(p.y - segment.shell.heights.lo), reach_ * reach_);
@@ -81,15 +81,15 @@ class TurnedSurface final : public ScannedShape<TurnedSurface> {
     return false;
   }
   dvec3 normal(const ShapeHit& hit, const dvec3& point) const override {
-    if (hit.part >= base_part()) return glm::normalize(to_world_.normal({0, hit.part == base_part() ? -1 : 1, 0}));
-    const dvec3 p = to_world_.inverse_point(point);
+    if (hit.part >= base_part()) return glm::normalize(to_world_->normal({0, hit.part == base_part() ? -1 : 1, 0}));
+    const dvec3 p = to_world_->inverse_point(point);
     const std::array<double, 4>& c = segments_[hit.part].radius2;
     const double h = p.y - segments_[hit.part].shell.heights.lo;
     const double slope = (3 * c[3] * h + 2 * c[2]) * h + c[1];
-    return glm::normalize(to_world_.normal({p.x, -0.5 * slope, p.z}));
+    return glm::normalize(to_world_->normal({p.x, -0.5 * slope, p.z}));
   }
   dvec2 uv(const ShapeHit& hit, const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     const double u = longitude_share(p.x, p.z);
     const double rho = std::hypot(p.x, p.z);
     if (hit.part == base_part()) return {u, rho / base_radius_ - 1};
@@ -141,12 +141,12 @@ class TurnedSurface final : public ScannedShape<TurnedSurface> {
   std::vector<SorSegment> segments_;
   double low_ = 0, high_ = 0, reach_ = 0, base_radius_ = 0, cap_radius_ = 0;
   bool open_;
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Sor& sor, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const Sor& sor, const SharedTransform& to_world, BuildContext&) {
   return std::make_unique<TurnedSurface>(sor, to_world);
 }
 

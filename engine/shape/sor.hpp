@@ -25,6 +25,6 @@ struct Sor {
   bool open = false, sturm = false;
 };
 
-std::unique_ptr<Shape> build(const Sor& sor, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Sor& sor, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

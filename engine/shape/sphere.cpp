@@ -38,11 +38,11 @@ void scan_sphere(const dvec3& origin, const dvec3& direction, const dvec3& cente
 
 class RoundSphere final : public ScannedShape<RoundSphere> {
  public:
-  RoundSphere(const Sphere& sphere, const Transform& to_world)
-      : center_(to_world.point(sphere.center)),
+  RoundSphere(const Sphere& sphere, const SharedTransform& to_world)
+      : center_(to_world->point(sphere.center)),
         radius_(sphere.radius),
         to_world_(to_world) {
-    if (to_world.kinds & Transform::kUniformScale) radius_ *= std::cbrt(std::abs(glm::determinant(to_world.linear)));
+    if (to_world->kinds & Transform::kUniformScale) radius_ *= std::cbrt(std::abs(glm::determinant(to_world->linear)));
     const double radius2 = radius_ * radius_;
     surface_ = kSurface * radius2 + kGrain * glm::length(center_) * std::abs(radius_);
   }
@@ -66,7 +66,7 @@ class RoundSphere final : public ScannedShape<RoundSphere> {
   }
   dvec3 normal(const ShapeHit&, const dvec3& point) const override { return (point - center_) / radius_; }
   dvec2 uv(const ShapeHit&, const dvec3& point) const override {
-    return unit_sphere_uv(glm::normalize(to_world_.inverse_direction(point - center_)));
+    return unit_sphere_uv(glm::normalize(to_world_->inverse_direction(point - center_)));
   }
   bool tests_own_box() const override { return false; }
 
@@ -74,53 +74,53 @@ class RoundSphere final : public ScannedShape<RoundSphere> {
   dvec3 center_;
   double radius_;
   double surface_;  // squared distances this near to radius² are on the surface: neither inside nor outside
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 class Ellipsoid final : public ScannedShape<Ellipsoid> {
  public:
-  Ellipsoid(const Sphere& sphere, const Transform& to_world) : sphere_(sphere), to_world_(to_world) {}
+  Ellipsoid(const Sphere& sphere, const SharedTransform& to_world) : sphere_(sphere), to_world_(to_world) {}
 
   template <class Sink>
   void scan(const Ray& ray, Interval, Sink&& sink) const {
-    const Ray local = to_world_.inverse_ray(ray);
+    const Ray local = to_world_->inverse_ray(ray);
     const double scale = 1 / glm::length(local.direction);
     scan_sphere(local.origin, local.direction * scale, sphere_.center, sphere_.radius, scale, sink);
   }
 
   Aabb bounds() const override {
-    const dvec3 center = to_world_.point(sphere_.center);
+    const dvec3 center = to_world_->point(sphere_.center);
     dvec3 reach;  // of the image of the unit sphere along an axis: the length of the matrix's row
     for (int axis = 0; axis < 3; ++axis)
       reach[axis] = std::abs(sphere_.radius) *
-                    glm::length(dvec3(to_world_.linear[0][axis], to_world_.linear[1][axis], to_world_.linear[2][axis]));
+                    glm::length(dvec3(to_world_->linear[0][axis], to_world_->linear[1][axis], to_world_->linear[2][axis]));
     return {center - reach, center + reach};
   }
   bool inside(const dvec3& point) const override { return distance2(point) < sphere_.radius * sphere_.radius; }
   bool inside_inverted(const dvec3& point) const override { return distance2(point) > sphere_.radius * sphere_.radius; }
   dvec3 normal(const ShapeHit&, const dvec3& point) const override {
-    const dvec3 n = (to_world_.inverse_point(point) - sphere_.center) / sphere_.radius;
-    return glm::normalize(to_world_.normal(n));
+    const dvec3 n = (to_world_->inverse_point(point) - sphere_.center) / sphere_.radius;
+    return glm::normalize(to_world_->normal(n));
   }
   dvec2 uv(const ShapeHit&, const dvec3& point) const override {
-    return unit_sphere_uv(glm::normalize(to_world_.inverse_point(point) - sphere_.center));
+    return unit_sphere_uv(glm::normalize(to_world_->inverse_point(point) - sphere_.center));
   }
   bool tests_own_box() const override { return false; }
 
  private:
   double distance2(const dvec3& point) const {
-    const dvec3 q = to_world_.inverse_point(point) - sphere_.center;
+    const dvec3 q = to_world_->inverse_point(point) - sphere_.center;
     return glm::dot(q, q);
   }
 
   Sphere sphere_;
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Sphere& sphere, const Transform& to_world, BuildContext&) {
-  if (to_world.kinds & (Transform::kScale | Transform::kMatrix)) return std::make_unique<Ellipsoid>(sphere, to_world);
+std::unique_ptr<Shape> build(const Sphere& sphere, const SharedTransform& to_world, BuildContext&) {
+  if (to_world->kinds & (Transform::kScale | Transform::kMatrix)) return std::make_unique<Ellipsoid>(sphere, to_world);
   return std::make_unique<RoundSphere>(sphere, to_world);
 }
 

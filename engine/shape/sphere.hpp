@@ -26,6 +26,6 @@ struct Sphere {
   double radius = 1;
 };
 
-std::unique_ptr<Shape> build(const Sphere& sphere, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Sphere& sphere, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

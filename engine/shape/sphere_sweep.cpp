@@ -101,7 +101,7 @@ void add_closing_plane(const Ray& ray, const SweepSegment& s, double u, Candidat
 // A hit keeps its normal.
 class Sweep final : public ScannedShape<Sweep> {
  public:
-  Sweep(const SphereSweep& sweep, const Transform& to_world)
+  Sweep(const SphereSweep& sweep, const SharedTransform& to_world)
       : spline_(sweep.spline), tolerance_(sweep.tolerance), to_world_(to_world) {
     const auto& p = sweep.balls;
     const bool linear = spline_ == SphereSweep::Spline::kLinear;
@@ -119,7 +119,7 @@ class Sweep final : public ScannedShape<Sweep> {
 
   template <class Sink>
   void scan(const Ray& ray, Interval, Sink&& sink) const {
-    Ray local = to_world_.inverse_ray(ray);
+    Ray local = to_world_->inverse_ray(ray);
     const double length = glm::length(local.direction);
     local.direction /= length;
     thread_local Candidates candidates;
@@ -143,10 +143,10 @@ class Sweep final : public ScannedShape<Sweep> {
   Aabb bounds() const override {
     Aabb box;
     for (const Aabb& part : boxes_) box.join(part);
-    return to_world_.box(box);
+    return to_world_->box(box);
   }
   bool inside(const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     return std::ranges::any_of(segments_, [&](const SweepSegment& s) {
       const std::array<double, 7> power = sphere_power(s, p);
       if (spline_ == SphereSweep::Spline::kLinear)
@@ -155,7 +155,7 @@ class Sweep final : public ScannedShape<Sweep> {
     });
   }
   dvec3 normal(const ShapeHit& hit, const dvec3&) const override {
-    return glm::normalize(to_world_.normal({hit.data[0], hit.data[1], hit.data[2]}));
+    return glm::normalize(to_world_->normal({hit.data[0], hit.data[1], hit.data[2]}));
   }
 
  private:
@@ -273,12 +273,12 @@ class Sweep final : public ScannedShape<Sweep> {
   std::vector<SweepSegment> segments_;
   std::vector<Aabb> boxes_;  // of the segments
   double tolerance_;
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const SphereSweep& sweep, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const SphereSweep& sweep, const SharedTransform& to_world, BuildContext&) {
   return std::make_unique<Sweep>(sweep, to_world);
 }
 

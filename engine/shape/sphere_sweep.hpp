@@ -32,6 +32,6 @@ struct SphereSweep {
   double tolerance = 1e-6;
 };
 
-std::unique_ptr<Shape> build(const SphereSweep& sweep, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const SphereSweep& sweep, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

@@ -33,12 +33,12 @@ PNorm p_norm(double u, double v, double q) {
 
 class RoundedBox final : public ScannedShape<RoundedBox> {
  public:
-  RoundedBox(const Superellipsoid& shape, const Transform& to_world)
+  RoundedBox(const Superellipsoid& shape, const SharedTransform& to_world)
       : alpha_(2 / shape.east_west), gamma_(2 / shape.north_south), to_world_(to_world) {}
 
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
-    Ray local = to_world_.inverse_ray(ray);
+    Ray local = to_world_->inverse_ray(ray);
     const double length = glm::length(local.direction);
     local.direction /= length;
     Interval stretch{range.lo * length, range.hi * length};
@@ -50,10 +50,10 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
     }
   }
 
-  Aabb bounds() const override { return to_world_.box({dvec3(-1.0001), dvec3(1.0001)}); }
-  bool inside(const dvec3& point) const override { return value(to_world_.inverse_point(point)) < kOnSurface; }
+  Aabb bounds() const override { return to_world_->box({dvec3(-1.0001), dvec3(1.0001)}); }
+  bool inside(const dvec3& point) const override { return value(to_world_->inverse_point(point)) < kOnSurface; }
   dvec3 normal(const ShapeHit&, const dvec3& point) const override {
-    const dvec3 n = to_world_.normal(gradient(to_world_.inverse_point(point)));
+    const dvec3 n = to_world_->normal(gradient(to_world_->inverse_point(point)));
     const double length = glm::length(n);
     return length > 0 ? n / length : dvec3(1, 0, 0);
   }
@@ -249,12 +249,12 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
   }
 
   double alpha_, gamma_;
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Superellipsoid& shape, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const Superellipsoid& shape, const SharedTransform& to_world, BuildContext&) {
   return std::make_unique<RoundedBox>(shape, to_world);
 }
 

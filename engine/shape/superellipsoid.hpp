@@ -23,6 +23,6 @@ struct Superellipsoid {
   double east_west = 1, north_south = 1;  // e, n
 };
 
-std::unique_ptr<Shape> build(const Superellipsoid& shape, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Superellipsoid& shape, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

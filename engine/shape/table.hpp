@@ -1,9 +1,8 @@
-// The primitives of the engine: one line each. The scene description, the plan and the builder go through this variant. What the parser
+// The primitives of the engine: one line each. The scene description, the plan and the builder go through this table. What the parser
 // needs beside it is named at the head of engine/shape/shape.hpp.
 #pragma once
 
-#include <variant>
-
+#include "engine/memory/shared_variant.hpp"
 #include "engine/shape/bicubic_patch.hpp"
 #include "engine/shape/blob.hpp"
 #include "engine/shape/box.hpp"
@@ -32,7 +31,7 @@
 
 namespace lute {
 
-using AnyShape = std::variant<  //
+using AnyShape = SharedVariant<  //
     BicubicPatch,               //
     Blob,                       //
     Box,                        //

@@ -28,12 +28,12 @@ bool in_outline(const GlyphOutline& glyph, const dvec2& p) {
 // A hit on a wall keeps its normal.
 class Lettering final : public ScannedShape<Lettering> {
  public:
-  Lettering(std::vector<GlyphOutline> glyphs, double depth, const Transform& to_world)
+  Lettering(std::vector<GlyphOutline> glyphs, double depth, const SharedTransform& to_world)
       : glyphs_(std::move(glyphs)), depth_(depth), to_world_(to_world) {}
 
   template <class Sink>
   void scan(const Ray& ray, Interval, Sink&& sink) const {
-    const Ray local = to_world_.inverse_ray(ray);
+    const Ray local = to_world_->inverse_ray(ray);
     for (const GlyphOutline& glyph : glyphs_) {
       if (!line_meets(local, glyph)) continue;
       scan_caps(glyph, local, sink);
@@ -47,15 +47,15 @@ class Lettering final : public ScannedShape<Lettering> {
       box.join(dvec3(glyph.lo, 0));
       box.join(dvec3(glyph.hi, depth_));
     }
-    return to_world_.box(box);
+    return to_world_->box(box);
   }
   bool inside(const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     if (p.z < 0 || p.z > depth_) return false;
     return std::ranges::any_of(glyphs_, [&](const GlyphOutline& glyph) { return in_outline(glyph, dvec2(p.x, p.y)); });
   }
   dvec3 normal(const ShapeHit& hit, const dvec3&) const override {
-    return glm::normalize(to_world_.normal({hit.data[0], hit.data[1], hit.data[2]}));
+    return glm::normalize(to_world_->normal({hit.data[0], hit.data[1], hit.data[2]}));
   }
 
  private:
@@ -116,12 +116,12 @@ class Lettering final : public ScannedShape<Lettering> {
 
   std::vector<GlyphOutline> glyphs_;
   double depth_;
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Text& text, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const Text& text, const SharedTransform& to_world, BuildContext&) {
   auto glyphs = lay_out_text(*text.font, text.string, dvec2(text.offset.x, text.offset.y), text.unicode_first);
   return std::make_unique<Lettering>(std::move(glyphs), text.depth, Transform::rotate(dvec3(0.001)).then(to_world));
 }

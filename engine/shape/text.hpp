@@ -28,6 +28,6 @@ struct Text {
 };
 
 // Throws std::runtime_error if the font cannot be read.
-std::unique_ptr<Shape> build(const Text& text, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Text& text, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

@@ -14,7 +14,7 @@ namespace {
 
 class Ring final : public ScannedShape<Ring> {
  public:
-  Ring(const Torus& torus, const Transform& to_world)
+  Ring(const Torus& torus, const SharedTransform& to_world)
       : major_(torus.major_radius), minor_(torus.minor_radius), to_world_(to_world) {
     // The stretches are cut a little outside the tube, so that a root at their ends is not lost to rounding.
     const double reach = minor_ * (1 + 1e-9) + major_ * 1e-14;
@@ -25,7 +25,7 @@ class Ring final : public ScannedShape<Ring> {
 
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
-    Ray local = to_world_.identity() ? ray : to_world_.inverse_ray(ray);
+    Ray local = to_world_.identity() ? ray : to_world_->inverse_ray(ray);
     const double length = glm::length(local.direction);
     local.direction /= length;
     Interval stretch{range.lo * length, range.hi * length};
@@ -46,27 +46,27 @@ class Ring final : public ScannedShape<Ring> {
 
   Aabb bounds() const override {
     // Support function of a circle plus that of a ball, along each world axis.
-    const dvec3 center = to_world_.translation;
+    const dvec3 center = to_world_->translation;
     dvec3 reach;
     for (int axis = 0; axis < 3; ++axis) {
-      const dvec3 row(to_world_.linear[0][axis], to_world_.linear[1][axis], to_world_.linear[2][axis]);
+      const dvec3 row(to_world_->linear[0][axis], to_world_->linear[1][axis], to_world_->linear[2][axis]);
       reach[axis] = major_ * std::hypot(row.x, row.z) + minor_ * glm::length(row);
     }
     return {center - reach, center + reach};
   }
   bool inside(const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     const double g = std::hypot(p.x, p.z) - major_;
     return g * g + p.y * p.y <= minor_ * minor_;
   }
   dvec3 normal(const ShapeHit&, const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     const double rho = std::hypot(p.x, p.z);
     const dvec3 axis = rho > kEpsilon * major_ ? dvec3(p.x, 0, p.z) * (major_ / rho) : dvec3(0);
-    return glm::normalize(to_world_.normal(p - axis));
+    return glm::normalize(to_world_->normal(p - axis));
   }
   dvec2 uv(const ShapeHit&, const dvec3& point) const override {
-    const dvec3 p = to_world_.inverse_point(point);
+    const dvec3 p = to_world_->inverse_point(point);
     const double along = std::atan2(p.y, std::hypot(p.x, p.z) - major_);
     return {1 - (std::atan2(p.z, p.x) + kPi) / (2 * kPi), (along + kPi) / (2 * kPi)};
   }
@@ -115,12 +115,12 @@ class Ring final : public ScannedShape<Ring> {
 
   double major_, minor_;
   double outer2_, inner_, height_;
-  Transform to_world_;
+  SharedTransform to_world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> build(const Torus& torus, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const Torus& torus, const SharedTransform& to_world, BuildContext&) {
   if (!(torus.minor_radius > 0) || !(torus.major_radius >= 0)) return build_empty_shape(false);
   return std::make_unique<Ring>(torus, to_world);
 }

@@ -27,6 +27,6 @@ struct Torus {
   bool sturm = false;
 };
 
-std::unique_ptr<Shape> build(const Torus& torus, const Transform& to_world, BuildContext& context);
+std::unique_ptr<Shape> build(const Torus& torus, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

@@ -136,13 +136,12 @@ Json fields(const Text& s) {
 }  // namespace
 
 Json to_json(const AnyShape& shape) {
-  return std::visit(
+  return shape.visit(
       [](const auto& s) {
         Json json = fields(s);
         json["shape"] = s.kKeyword;
         return json;
-      },
-      shape);
+      });
 }
 
 }  // namespace lute::dump

@@ -113,8 +113,7 @@ void settle(Reader& reader, Camera& camera, const Written& written) {
 // The body of a mesh, or an identifier that holds one; also behind the word mesh2.
 MeshCamera::Part parse_mesh_of_camera(Reader& reader) {
   const ObjectPtr object = parse_mesh_object(reader);
-  const auto* shape = std::get_if<AnyShape>(&object->geometry);
-  const auto* mesh = shape != nullptr ? std::get_if<Mesh>(shape) : nullptr;
+  const auto* mesh = object->shape_if<Mesh>();
   if (mesh == nullptr) reader.error("A mesh camera needs meshes.");
   return {mesh->data, object->transform};
 }

@@ -136,10 +136,13 @@ void parse_looks_like(Reader& reader, LightSource& light) {
 void parse_projected_through(Reader& reader, LightSource& light) {
   if (light.projected_through != nullptr) reader.error("Only one projected through allowed per light_source.");
   Object object = parse_attached_object(reader, Word::kProjectedThrough, Transform());
-  if (object.texture.texture != nullptr || object.interior != nullptr)
+  if (object.texture.texture != nullptr || object.extras->interior != nullptr)
     reader.warning("Projected through objects can not have interiors or textures.");
-  object.texture = object.interior_texture = TextureOnObject{};
-  object.interior = nullptr;
+  object.texture = {};
+  if (object.extras->interior != nullptr || object.extras->interior_texture.texture != nullptr) {
+    object.extras.edit().interior_texture = {};
+    object.extras.edit().interior = nullptr;
+  }
   if (!is_absent(object)) light.projected_through = std::make_shared<const Object>(std::move(object));
 }
 
@@ -164,9 +167,9 @@ Rgb color_of_map(const ColorMap& map) {
 void transform_now(LightSource& light, AreaItems& area, const Transform& transform) {
   Object object;
   light.area = area.light;
-  object.geometry = std::move(light);
+  object.geometry = Shared(std::move(light));
   transform_object(object, transform);
-  light = std::get<LightSource>(std::move(object.geometry));
+  light = std::move(*object.edit_light());
   area.light = *light.area;
   light.area.reset();
 }
@@ -204,7 +207,7 @@ void parse_light_group_items(Reader& reader, Object& group) {
   constexpr double kOn = 0.5;
   while (true) {
     if (const auto transform = accept_transformation(reader)) transform_object(group, *transform);
-    else if (reader.accept(Word::kGlobalLights)) group.global_lights = reader.optional_number().value_or(1) > kOn;
+    else if (reader.accept(Word::kGlobalLights)) group.extras.edit().global_lights = reader.optional_number().value_or(1) > kOn;
     else if (reader.accept(Word::kPhotons)) parse_object_photons(reader, group);
     else break;
   }

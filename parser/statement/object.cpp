@@ -77,7 +77,7 @@ ObjectPtr parse_csg(Reader& reader, Word keyword, CsgOperation operation) {
   csg.operation = operation;
   csg.children = parse_members(reader, operation);
   object.no_shadow = operation == CsgOperation::kUnion && casts_no_shadow(csg.children);
-  object.geometry = std::move(csg);
+  object.geometry = Shared(std::move(csg));
   return finished(reader, std::move(object), keyword);
 }
 
@@ -106,7 +106,7 @@ ObjectPtr parse_light(Reader& reader) {
   LightSource light = parse_light_items(reader);
   light.where = where;
   reader.close(Word::kLightSource);
-  object.geometry = std::move(light);
+  object.geometry = Shared(std::move(light));
   return std::make_shared<const Object>(std::move(object));
 }
 
@@ -119,7 +119,7 @@ ObjectPtr parse_light_group(Reader& reader) {
   group.operation = CsgOperation::kLightGroup;
   while (const auto member = accept_object(reader))
     if (!is_absent(**member)) group.children.push_back(*member);
-  object.geometry = std::move(group);
+  object.geometry = Shared(std::move(group));
   parse_light_group_items(reader, object);
   reader.close(Word::kLightGroup);
   return std::make_shared<const Object>(std::move(object));

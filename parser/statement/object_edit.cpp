@@ -20,42 +20,64 @@ void transform_light(LightSource& light, const Transform& transform) {
 }
 
 bool holds_media_densities(const Object& object) {
-  if (object.interior != nullptr &&
-      std::ranges::any_of(object.interior->media, [](const auto& media) { return !media->densities.empty(); }))
+  const InteriorPtr& interior = object.extras->interior;
+  if (interior != nullptr && std::ranges::any_of(interior->media, [](const auto& media) { return !media->densities.empty(); }))
     return true;
-  const auto* csg = std::get_if<Csg>(&object.geometry);
+  const Csg* csg = object.csg();
   return csg != nullptr && std::ranges::any_of(csg->children, [](const ObjectPtr& child) { return holds_media_densities(*child); });
 }
 
-// Densities live in the world's space: those of the parts move with the whole.
+void move_media(Object& object, const Transform& transform);
+
 ObjectPtr with_moved_media(const ObjectPtr& object, const Transform& transform) {
   if (!holds_media_densities(*object)) return object;
   Object changed = *object;
-  changed.interior = moved(changed.interior, transform);
-  if (auto* csg = std::get_if<Csg>(&changed.geometry))
-    for (ObjectPtr& child : csg->children) child = with_moved_media(child, transform);
+  move_media(changed, transform);
   return std::make_shared<const Object>(std::move(changed));
+}
+
+// Densities live in the world's space: those of the parts move with the whole.
+void move_media(Object& object, const Transform& transform) {
+  if (!holds_media_densities(object)) return;
+  if (object.extras->interior != nullptr) {
+    InteriorPtr& interior = object.extras.edit().interior;
+    interior = moved(interior, transform);
+  }
+  if (object.csg() == nullptr) return;
+  for (ObjectPtr& child : object.edit_csg()->children) child = with_moved_media(child, transform);
+}
+
+void transform_limits(ObjectExtras& extras, const Transform& transform) {
+  const bool linked = extras.clipped_by == extras.bounded_by;
+  for (ObjectPtr& clip : extras.clipped_by) clip = transformed(clip, transform);
+  if (linked) extras.bounded_by = extras.clipped_by;
+  else for (ObjectPtr& bound : extras.bounded_by) bound = transformed(bound, transform);
+}
+
+// A texture as old as the object has gone through the same transformations, and shares them.
+SharedTransform moved_placement(const SharedTransform& placement, const SharedTransform& before, const Object& object,
+                                const SharedTransform& transform) {
+  return placement.shares(before) ? object.transform : placement.then(transform);
 }
 
 }  // namespace
 
 void transform_object(Object& object, const Transform& transform) {
-  if (auto* light = std::get_if<LightSource>(&object.geometry)) {
+  if (LightSource* light = object.edit_light()) {
     transform_light(*light, transform);
     return;
   }
-  object.transform = object.transform.then(transform);
+  const SharedTransform before = object.transform, next = transform;
+  object.transform = before.then(next);
   if (!object.uv_mapping) {
-    object.texture.placement = object.texture.placement.then(transform);
-    object.interior_texture.placement = object.interior_texture.placement.then(transform);
+    object.texture.placement = moved_placement(object.texture.placement, before, object, next);
+    if (object.extras->interior_texture.texture != nullptr) {
+      SharedTransform& placement = object.extras.edit().interior_texture.placement;
+      placement = moved_placement(placement, before, object, next);
+    }
   }
-  object.interior = moved(object.interior, transform);
-  const bool linked = object.clipped_by == object.bounded_by;
-  for (ObjectPtr& clip : object.clipped_by) clip = transformed(clip, transform);
-  if (linked) object.bounded_by = object.clipped_by;
-  else for (ObjectPtr& bound : object.bounded_by) bound = transformed(bound, transform);
-  if (auto* csg = std::get_if<Csg>(&object.geometry))
-    for (ObjectPtr& child : csg->children) child = with_moved_media(child, transform);
+  move_media(object, transform);
+  if (!object.extras->clipped_by.empty() || !object.extras->bounded_by.empty()) transform_limits(object.extras.edit(), transform);
 }
 
 ObjectPtr transformed(const ObjectPtr& object, const Transform& transform) {
@@ -65,28 +87,26 @@ ObjectPtr transformed(const ObjectPtr& object, const Transform& transform) {
 }
 
 bool is_patch(const Object& object) {
-  const auto* shape = std::get_if<AnyShape>(&object.geometry);
-  if (shape == nullptr) return false;
-  return std::visit(
+  if (object.shape() == nullptr) return false;
+  return object.shape()->visit(
       [](const auto& s) {
         if constexpr (requires { s.inside_vector; }) return s.inside_vector == dvec3(0);
         constexpr std::string_view keyword = std::decay_t<decltype(s)>::kKeyword;
         return keyword == "triangle" || keyword == "smooth_triangle" || keyword == "bicubic_patch" || keyword == "polygon" ||
                keyword == "parametric";
-      },
-      *shape);
+      });
 }
 
-bool is_light(const Object& object) { return std::holds_alternative<LightSource>(object.geometry); }
+bool is_light(const Object& object) { return object.light() != nullptr; }
 
 bool carries_texture(const Object& object) {
   if (object.texture.texture != nullptr) return true;
-  const auto* csg = std::get_if<Csg>(&object.geometry);
+  const Csg* csg = object.csg();
   return csg != nullptr && std::ranges::any_of(csg->children, [](const ObjectPtr& child) { return carries_texture(*child); });
 }
 
 std::optional<CsgOperation> effective_operation(const Object& object) {
-  const auto* csg = std::get_if<Csg>(&object.geometry);
+  const Csg* csg = object.csg();
   if (csg == nullptr) return std::nullopt;
   if (!object.inverse) return csg->operation;
   const bool one_of_all = csg->operation == CsgOperation::kUnion || csg->operation == CsgOperation::kMerge;
@@ -94,13 +114,11 @@ std::optional<CsgOperation> effective_operation(const Object& object) {
 }
 
 Object absent_object() {
-  Object object;
-  object.geometry = Csg{};
-  return object;
+  return {};  // a union of nothing
 }
 
 bool is_absent(const Object& object) {
-  const auto* csg = std::get_if<Csg>(&object.geometry);
+  const Csg* csg = object.csg();
   return csg != nullptr && csg->children.empty();
 }
 

@@ -28,20 +28,23 @@ bool accept_object_transformation(Reader& reader, Object& object) {
 }
 
 void parse_object_material(Reader& reader, Object& object) {
-  Material material{object.texture, object.interior_texture, object.interior};
+  Material material{object.texture, object.extras->interior_texture, object.extras->interior};
   parse_material(reader, material, object.uv_mapping);
   object.texture = std::move(material.texture);
-  object.interior_texture = std::move(material.interior_texture);
-  object.interior = std::move(material.interior);
+  if (material.interior_texture.texture == nullptr && material.interior == object.extras->interior) return;
+  ObjectExtras& extras = object.extras.edit();
+  extras.interior_texture = std::move(material.interior_texture);
+  extras.interior = std::move(material.interior);
 }
 
 bool accept_appearance(Reader& reader, Object& object) {
   if (reader.accept(Word::kTexture)) {
     add_texture(reader, object.texture, parse_texture(reader));
   } else if (reader.accept(Word::kInteriorTexture)) {
-    add_texture(reader, object.interior_texture, parse_interior_texture(reader));
+    add_texture(reader, object.extras.edit().interior_texture, parse_interior_texture(reader));
   } else if (reader.accept(Word::kInterior)) {
-    object.interior = parse_interior(reader, object.interior);
+    const InteriorPtr before = object.extras->interior;
+    object.extras.edit().interior = parse_interior(reader, before);
   } else if (reader.accept(Word::kMaterial)) {
     parse_object_material(reader, object);
   } else if (reader.accept(Word::kUvMapping)) {
@@ -72,27 +75,29 @@ void append(std::vector<ObjectPtr>& to, std::vector<ObjectPtr> from) {
 }
 
 void parse_clipped_by(Reader& reader, Modifiers& m) {
+  ObjectExtras& extras = m.object.extras.edit();
   reader.open(Word::kClippedBy);
   if (reader.accept(Word::kBoundedBy)) {
-    if (!m.object.clipped_by.empty()) reader.error("Cannot link bounds with previous clips.");
-    m.object.clipped_by = m.object.bounded_by;
+    if (!extras.clipped_by.empty()) reader.error("Cannot link bounds with previous clips.");
+    extras.clipped_by = extras.bounded_by;
     m.clips_linked = true;
   } else {
     if (m.clips_linked) reader.error("Cannot add clips after linking bounds and clips.");
-    append(m.object.clipped_by, parse_limits(reader));
+    append(extras.clipped_by, parse_limits(reader));
   }
   reader.close(Word::kClippedBy);
 }
 
 void parse_bounded_by(Reader& reader, Modifiers& m) {
+  ObjectExtras& extras = m.object.extras.edit();
   reader.open(Word::kBoundedBy);
   if (reader.accept(Word::kClippedBy)) {
-    if (!m.object.bounded_by.empty()) reader.error("Cannot link clips with previous bounds.");
-    m.object.bounded_by = m.object.clipped_by;
+    if (!extras.bounded_by.empty()) reader.error("Cannot link clips with previous bounds.");
+    extras.bounded_by = extras.clipped_by;
     m.bounds_linked = true;
   } else {
     if (m.bounds_linked) reader.error("Cannot add bounds after linking bounds and clips.");
-    append(m.object.bounded_by, parse_limits(reader));
+    append(extras.bounded_by, parse_limits(reader));
   }
   reader.close(Word::kBoundedBy);
 }
@@ -100,9 +105,8 @@ void parse_bounded_by(Reader& reader, Modifiers& m) {
 // A CSG takes its current parts along.
 void set_double_illuminate(Object& object, bool on) {
   object.double_illuminate = on;
-  auto* csg = std::get_if<Csg>(&object.geometry);
-  if (csg == nullptr) return;
-  for (ObjectPtr& child : csg->children) {
+  if (object.csg() == nullptr) return;
+  for (ObjectPtr& child : object.edit_csg()->children) {
     Object changed = *child;
     set_double_illuminate(changed, on);
     child = std::make_shared<const Object>(std::move(changed));
@@ -114,7 +118,7 @@ void parse_radiosity(Reader& reader, Object& object) {
   while (reader.accept(Word::kImportance)) {
     const double importance = reader.number();
     if (!(importance > 0 && importance <= 1)) reader.error("Radiosity importance must be greater than 0.0 and at most 1.0.");
-    object.radiosity_importance = static_cast<float>(importance);
+    object.extras.edit().radiosity_importance = static_cast<float>(importance);
   }
   reader.close(Word::kRadiosity);
 }
@@ -141,42 +145,34 @@ bool accept_flag(Reader& reader, Object& object) {
   return true;
 }
 
-// Sets a member that only some shapes have; false if this one has not.
-template <class Set>
-bool set_of_shape(Object& object, const Set& set) {
-  auto* shape = std::get_if<AnyShape>(&object.geometry);
-  return shape != nullptr && std::visit(set, *shape);
+// Whether `has` says so of the object's shape, if it is one.
+template <class Has>
+bool shape_has(const Object& object, const Has& has) {
+  return object.shape() != nullptr && object.shape()->visit(has);
 }
 
-void parse_sturm(Reader& reader, const Modifiers& m) {
-  const bool known = set_of_shape(m.object, [](const auto& s) { return requires { s.sturm; }; });
+void parse_sturm(Reader& reader, Modifiers& m) {
+  const bool known = shape_has(m.object, [](const auto& s) { return requires { s.sturm; }; });
   if (!known) reader.error("Keyword 'sturm' cannot be used with this object.");
   const bool on = reader.optional_flag();
-  set_of_shape(m.object, [&](auto& s) {
+  m.object.edit_shape()->edit([&](auto& s) {
     if constexpr (requires { s.sturm; }) s.sturm = on;
-    return true;
   });
 }
 
-void parse_hierarchy(Reader& reader, const Modifiers& m) {
-  const bool known = set_of_shape(m.object, [](const auto& s) {
+void parse_hierarchy(Reader& reader, Modifiers& m) {
+  const bool known = shape_has(m.object, [](const auto& s) {
     return requires { s.hierarchy; } || s.kKeyword == "height_field";
   });
   if (!known) reader.error("Keyword 'hierarchy' cannot be used with this object.");
   const bool on = reader.optional_flag();
-  set_of_shape(m.object, [&](auto& s) {
+  m.object.edit_shape()->edit([&](auto& s) {
     if constexpr (requires { s.hierarchy; }) s.hierarchy = on;
-    return true;
   });
 }
 
-bool is_text(const Object& object) {
-  const auto* shape = std::get_if<AnyShape>(&object.geometry);
-  return shape != nullptr && std::holds_alternative<Text>(*shape);
-}
-
 void parse_split_union(Reader& reader, Object& object) {
-  if (is_text(object)) {  // one shape here, a union of characters to the language
+  if (object.shape_if<Text>() != nullptr) {  // one shape here, a union of characters to the language
     reader.integer();
     return;
   }
@@ -184,14 +180,14 @@ void parse_split_union(Reader& reader, Object& object) {
   if (operation != CsgOperation::kUnion && operation != CsgOperation::kMerge)
     reader.error("split_union found in non-union object.");
   const bool on = reader.integer() != 0;
-  std::get<Csg>(object.geometry).split_union = on;
+  object.edit_csg()->split_union = on;
 }
 
 void parse_cutaway_textures(Reader& reader, Object& object) {
   const auto operation = effective_operation(object);
   if (operation != CsgOperation::kIntersection && operation != CsgOperation::kDifference)
     reader.error("cutaway_textures can only be used with intersection and difference.");
-  std::get<Csg>(object.geometry).cutaway_textures = true;
+  object.edit_csg()->cutaway_textures = true;
 }
 
 bool accept_special(Reader& reader, Modifiers& m) {
@@ -231,7 +227,7 @@ void parse_object_modifiers(Reader& reader, Object& object) {
   while (accept_object_transformation(reader, object) || accept_appearance(reader, object) || accept_flag(reader, object) ||
          accept_special(reader, m)) {
   }
-  if (object.interior_texture.texture != nullptr && object.texture.texture == nullptr)
+  if (object.extras->interior_texture.texture != nullptr && object.texture.texture == nullptr)
     reader.error("Interior texture requires an exterior texture.");
 }
 

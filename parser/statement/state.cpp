@@ -10,6 +10,7 @@ SceneStatements::SceneStatements() {
 
 Defaults& SceneStatements::change_defaults() {
   default_texture_.reset();
+  default_extras_ = {};
   return defaults_;
 }
 
@@ -20,6 +21,14 @@ const TexturePtr& SceneStatements::default_texture() {
     default_texture_ = std::make_shared<const Texture>(std::move(texture));
   }
   return default_texture_;
+}
+
+const Shared<ObjectExtras>& SceneStatements::default_extras() {
+  if (default_extras_.is_default()) {
+    default_extras_.edit().default_texture = default_texture();
+    default_extras_.edit().radiosity_importance = defaults_.radiosity_importance;
+  }
+  return default_extras_;
 }
 
 SceneStatements& statements_of(Reader& reader) { return static_cast<SceneStatements&>(reader.statements()); }

@@ -31,7 +31,9 @@ class SceneStatements : public StatementState {
 
   const Defaults& defaults() const { return defaults_; }
   Defaults& change_defaults();
-  const TexturePtr& default_texture();  // one for all objects that are read between two `#default`s
+  // One for all objects that are read between two `#default`s.
+  const TexturePtr& default_texture();
+  const Shared<ObjectExtras>& default_extras();  // of a top-level object without any of its own
 
   ImageFiles images;                    // files that the scene has read
   std::map<std::string, std::shared_ptr<const std::string>> fonts;  // the contents of font files, by path
@@ -43,6 +45,7 @@ class SceneStatements : public StatementState {
  private:
   Defaults defaults_;
   TexturePtr default_texture_;
+  Shared<ObjectExtras> default_extras_;
 };
 
 SceneStatements& statements_of(Reader& reader);

@@ -170,7 +170,7 @@ TexturePtr parse_texture_layers(Reader& reader) {
 bool accept_layer_item(Reader& reader, TextureOnObject& on_object) {
   if (!reader.at(Word::kPigment) && !reader.at(Word::kNormal) && !reader.at(Word::kFinish)) return false;
   // Transformations met before the first texture item do not carry the default texture that it starts from.
-  if (on_object.texture == nullptr) on_object = {statements_of(reader).default_texture(), Transform()};
+  if (on_object.texture == nullptr) on_object = {statements_of(reader).default_texture(), {}};
   if (!is_plain(*on_object.texture)) reader.error("Cannot layer over a patterned texture.");
   fold_placement(on_object);
   Texture texture = *on_object.texture;

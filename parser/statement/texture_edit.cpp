@@ -79,7 +79,7 @@ MediaPtr moved(const MediaPtr& media, const Transform& transform) {
 
 void fold_placement(TextureOnObject& texture) {
   texture.texture = moved(texture.texture, texture.placement);
-  texture.placement = Transform();
+  texture.placement = {};
 }
 
 TexturePtr layered(Reader& reader, const TexturePtr& below, const TexturePtr& top) {

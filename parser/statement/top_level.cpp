@@ -75,14 +75,23 @@ bool accept_setting(Reader& reader) {
   return true;
 }
 
+void take_defaults(Object& object, SceneStatements& statements) {
+  if (object.extras.is_default()) {
+    object.extras = statements.default_extras();
+    return;
+  }
+  ObjectExtras& extras = object.extras.edit();
+  extras.default_texture = statements.default_texture();
+  if (!extras.radiosity_importance) extras.radiosity_importance = statements.defaults().radiosity_importance;
+}
+
 bool accept_scene_object(Reader& reader) {
   const auto object = accept_object(reader);
   if (!object) return false;
   if (is_absent(**object)) return true;
   Object placed = **object;
-  placed.default_texture = statements_of(reader).default_texture();
-  if (!placed.radiosity_importance) placed.radiosity_importance = statements_of(reader).defaults().radiosity_importance;
-  if (statements_of(reader).untyped_normals && has_untyped_normal(placed, *placed.default_texture))
+  take_defaults(placed, statements_of(reader));
+  if (statements_of(reader).untyped_normals && has_untyped_normal(placed, *placed.extras->default_texture))
     reader.error("No normal type given.");
   reader.scene().objects.push_back(std::make_shared<const Object>(std::move(placed)));
   return true;

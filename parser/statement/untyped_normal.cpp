@@ -24,7 +24,7 @@ bool in_texture(const TexturePtr& texture) {
 }
 
 bool in_parts(const AnyShape& any) {
-  return std::visit(
+  return any.visit(
       [](const auto& shape) {
         using Description = std::decay_t<decltype(shape)>;
         if constexpr (std::is_same_v<Description, Mesh>)
@@ -33,17 +33,16 @@ bool in_parts(const AnyShape& any) {
           return std::ranges::any_of(shape.components, [](const auto& component) { return in_texture(component.texture); });
         else
           return false;
-      },
-      any);
+      });
 }
 
 bool in_object(const Object& object, bool textured, bool untyped_default) {
-  if (in_texture(object.texture.texture) || in_texture(object.interior_texture.texture)) return true;
+  if (in_texture(object.texture.texture) || in_texture(object.extras->interior_texture.texture)) return true;
   textured = textured || object.texture.texture != nullptr;
-  if (const auto* csg = std::get_if<Csg>(&object.geometry))
+  if (const Csg* csg = object.csg())
     return std::ranges::any_of(csg->children, [&](const ObjectPtr& child) { return in_object(*child, textured, untyped_default); });
   if (is_light(object)) return false;
-  return (untyped_default && !textured) || in_parts(std::get<AnyShape>(object.geometry));
+  return (untyped_default && !textured) || in_parts(*object.shape());
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST(Inheritance, PartsWithoutTextureTakeTheParents) {
 
 TEST(Inheritance, WithoutAnyTextureTheDefaultOfTheStatementCounts) {
   auto u = csg(CsgOperation::kUnion, {ball(), far_ball(glowing(0, 1, 0))});
-  u->default_texture = glowing(0, 0, 1);
+  u->extras.edit().default_texture = glowing(0, 0, 1);
   expect_rgb(look(scene({u}), camera()), 0, 0, 1);
 }
 
@@ -64,8 +64,8 @@ TEST(Interior, TheLastPartDecidesWhetherACommonInteriorIsHollow) {  // chapter 2
 TEST(Interior, HollowOfAUnionReachesPartsThatDoNotSay) {
   auto a = ball(), b = far_ball();
   b->hollow = false;
-  a->interior = interior();
-  b->interior = interior();
+  a->extras.edit().interior = interior();
+  b->extras.edit().interior = interior();
   auto u = csg(CsgOperation::kMerge, {a, b});
   u->hollow = true;
   const auto built = built_scene(scene({u}));
@@ -88,7 +88,7 @@ TEST(Union, DissolvesIntoTopLevelObjects) {  // chapter 20 §6.6
   auto inner = csg(CsgOperation::kUnion, {ball(), far_ball()});
   auto u = csg(CsgOperation::kUnion, {inner, ball()});
   EXPECT_EQ(built_scene(scene({u}))->solids.size(), 3u);
-  std::get<Csg>(u->geometry).split_union = false;
+  u->edit_csg()->split_union = false;
   EXPECT_EQ(built_scene(scene({u}))->solids.size(), 1u);
   auto inverse = csg(CsgOperation::kUnion, {ball(), far_ball()});
   inverse->inverse = true;
@@ -111,7 +111,7 @@ TEST(Difference, CuttersArriveInverted) {  // chapter 20 §6.3
 TEST(Clip, StaysWhereItIsWhenTheObjectMovesBeforeIt) {
   auto b = ball(glowing(1, 0, 0));
   b->transform = Transform::translate({5, 0, 0});
-  b->clipped_by = {object(plane({1, 0, 0}, 5))};
+  b->extras.edit().clipped_by = {object(plane({1, 0, 0}, 5))};
   const auto built = built_scene(scene({b}));
   EXPECT_TRUE(built->solids[0]->inside({4.5, 0, 0}));
   EXPECT_FALSE(built->solids[0]->inside({5.5, 0, 0}));
@@ -120,7 +120,7 @@ TEST(Clip, StaysWhereItIsWhenTheObjectMovesBeforeIt) {
 TEST(Bounds, BoxOfADiscardedBoundCutsOnceTheHierarchyIsInUse) {  // chapter 20 §7.3, check 11
   const auto seen = [](int objects) {
     auto b = object(sphere({0, 0, 0}, 1.5), glowing(1, 0, 0));
-    b->bounded_by = {object(box({-.5, -.5, -2}, {.5, .5, 2}))};
+    b->extras.edit().bounded_by = {object(box({-.5, -.5, -2}, {.5, .5, 2}))};
     std::vector<ObjectPtr> all{b};
     while (static_cast<int>(all.size()) < objects) all.push_back(far_ball(glowing(0, 0, 0)));
     return look(scene(all), {{1, 0, -5}, {0, 0, 1}}).rgb.r;
@@ -133,7 +133,7 @@ TEST(Bounds, BoxOfADiscardedBoundCutsOnceTheHierarchyIsInUse) {  // chapter 20 �
 TEST(Bounds, LightSourcesCountAsObjectsOfTheHierarchy) {
   const auto seen = [](int lights) {
     auto b = object(sphere({0, 0, 0}, 1.5), glowing(1, 0, 0));
-    b->bounded_by = {object(box({-.5, -.5, -2}, {.5, .5, 2}))};
+    b->extras.edit().bounded_by = {object(box({-.5, -.5, -2}, {.5, .5, 2}))};
     std::vector<ObjectPtr> all{b};
     for (int i = 0; i < lights; ++i) all.push_back(light({0, 0, -10}, Rgb(1.0f)));
     return look(scene(all), {{1, 0, -5}, {0, 0, 1}}).rgb.r;

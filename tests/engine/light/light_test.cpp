@@ -13,7 +13,7 @@ TEST(LightGroup, LightsItsMembersOnly) {  // §10.5
   auto member = wall(white_diffuse());
   auto group = csg(CsgOperation::kLightGroup, {light({0, 0, -100}, Rgb(.25f)), member});
   expect_grey(look(scene({sun(), group}), camera()), .25f);
-  group->global_lights = true;
+  group->extras.edit().global_lights = true;
   expect_grey(look(scene({sun(), group}), camera()), 1.25f);
   auto outside = csg(CsgOperation::kLightGroup, {light({0, 0, -100}, Rgb(.25f))});
   expect_grey(look(scene({sun(), outside, wall(white_diffuse())}), camera()), 1);

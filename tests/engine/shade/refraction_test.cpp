@@ -28,7 +28,7 @@ Scene below_bright_zenith(std::vector<ObjectPtr> objects) {
 // Looks at the surface y = 0 of a half-space of glass below it, at `angle` degrees from the upright.
 double sine_behind_surface(float ior, double angle, bool from_below) {
   auto p = object(plane({0, 1, 0}, 0), texture(rgbt(1, 1), finish(0, 0)));
-  p->interior = glass(ior);
+  p->extras.edit().interior = glass(ior);
   const double up = from_below ? 1 : -1;
   const Ray ray{{0, -up, 0}, {std::sin(radians(angle)), up * std::cos(radians(angle)), 0}};
   return 2 * static_cast<double>(look(below_bright_zenith({p}), ray).rgb.r) - 1;

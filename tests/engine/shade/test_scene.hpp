@@ -86,7 +86,7 @@ inline MutableObject csg(CsgOperation operation, std::vector<ObjectPtr> children
   Csg c;
   c.operation = operation;
   c.children = std::move(children);
-  o->geometry = c;
+  o->geometry = Shared(std::move(c));
   return o;
 }
 
@@ -97,7 +97,7 @@ MutableObject light(dvec3 location, Rgb color, Set&& set) {
   l.color = color;
   set(l);
   auto o = std::make_shared<Object>();
-  o->geometry = l;
+  o->geometry = Shared(std::move(l));
   return o;
 }
 inline MutableObject light(dvec3 location, Rgb color = Rgb(1.0f)) {

@@ -78,8 +78,7 @@ TEST(LiteralRun, GivesMeshesTheirVertices) {
   const ParseResult result = parse_scene(options);
   ASSERT_TRUE(result.ok);
   ASSERT_EQ(result.scene.objects.size(), 1u);
-  const auto& shape = std::get<AnyShape>(result.scene.objects.front()->geometry);
-  const MeshData& data = *std::get<Mesh>(shape).data;
+  const MeshData& data = *result.scene.objects.front()->shape_if<Mesh>()->data;
   ASSERT_EQ(data.vertices.size(), 60'000u);
   ASSERT_EQ(data.faces.size(), 59'998u);
   for (std::uint32_t i = 0; i < data.faces.size(); ++i) {

@@ -5,7 +5,7 @@ namespace lute::test {
 namespace {
 
 LightSource light_of(const std::string& items) {
-  return std::get<LightSource>(only_object(scene_of(kVersion + "light_source { " + items + " }")).geometry);
+  return *only_object(scene_of(kVersion + "light_source { " + items + " }")).light();
 }
 
 TEST(Lights, TransformationsActAtOnce) {
@@ -35,7 +35,7 @@ TEST(Lights, LooksLikeStartsFromTheLightsPlace) {
   const LightSource light = light_of("y, 1 looks_like { sphere { 0, 1 } scale 2 } translate x");
   ASSERT_NE(light.looks_like, nullptr);
   EXPECT_TRUE(light.looks_like->no_shadow);
-  EXPECT_EQ(light.looks_like->transform.translation, dvec3(1, 2, 0));  // moved to the light, scaled, moved along
+  EXPECT_EQ(light.looks_like->transform->translation, dvec3(1, 2, 0));  // moved to the light, scaled, moved along
 }
 
 TEST(Lights, AColorMapSumsUp) {  // case 19
@@ -50,7 +50,7 @@ TEST(Lights, TakeNoObjectModifiers) {
 
 TEST(Lights, GroupsLetGlobalLightsInOnlyWhenTold) {  // case 20
   const auto global = [](const std::string& items) {
-    return only_object(scene_of(kVersion + "light_group { light_source { 0, 1 } sphere { 0, 1 } " + items + " }")).global_lights;
+    return only_object(scene_of(kVersion + "light_group { light_source { 0, 1 } sphere { 0, 1 } " + items + " }")).extras->global_lights;
   };
   EXPECT_EQ(global(""), std::nullopt);
   EXPECT_EQ(global("global_lights"), true);

@@ -21,8 +21,8 @@ TEST(Objects, EveryPrimitiveIsRead) {
 
 TEST(Objects, IdentifierAfterAnyKeywordStartsFromThatObject) {
   const Scene scene = scene_of(kVersion + "#declare B = box { 0, 1 } sphere { B translate x }");
-  EXPECT_TRUE(std::holds_alternative<Box>(std::get<AnyShape>(only_object(scene).geometry)));
-  EXPECT_EQ(only_object(scene).transform.translation, dvec3(1, 0, 0));
+  EXPECT_TRUE(only_object(scene).shape_if<Box>() != nullptr);
+  EXPECT_EQ(only_object(scene).transform->translation, dvec3(1, 0, 0));
 }
 
 TEST(Objects, BareIdentifiersStandOnlyBehindTheFirstMember) {
@@ -83,28 +83,28 @@ TEST(Objects, TextureIdentifiersMoveAllTheirLayers) {  // case 2
 
 TEST(Objects, MaterialTransformationMovesTheTexturesPresent) {  // case 11
   const Scene scene = scene_of(kVersion + "box { 0, 1 pigment { gradient x scale 4 } material { translate x } }");
-  EXPECT_EQ(only_object(scene).texture.placement.translation, dvec3(1, 0, 0));
+  EXPECT_EQ(only_object(scene).texture.placement->translation, dvec3(1, 0, 0));
   EXPECT_TRUE(only_object(scene).transform.identity());
 }
 
 TEST(Objects, InverseInATransformBlockInvertsTheWhole) {  // case 12
   const Scene scene = scene_of(kVersion + "box { 0, 1 transform { translate x scale 2 inverse } }");
-  EXPECT_EQ(only_object(scene).transform.point(dvec3(2, 0, 0)), dvec3(0, 0, 0));
+  EXPECT_EQ(only_object(scene).transform->point(dvec3(2, 0, 0)), dvec3(0, 0, 0));
 }
 
 TEST(Objects, InteriorsOfOneObjectAreEditedAndTheirMediaAccumulate) {  // case 21
   const Scene scene =
       scene_of(kVersion + "box { 0, 1 interior { ior 1.5 media { emission .2 } } interior { media { emission .2 } } hollow }");
-  ASSERT_NE(only_object(scene).interior, nullptr);
-  EXPECT_EQ(only_object(scene).interior->media.size(), 2u);
-  EXPECT_FLOAT_EQ(only_object(scene).interior->ior, 1.5f);
+  ASSERT_NE(only_object(scene).extras->interior, nullptr);
+  EXPECT_EQ(only_object(scene).extras->interior->media.size(), 2u);
+  EXPECT_FLOAT_EQ(only_object(scene).extras->interior->ior, 1.5f);
   EXPECT_EQ(only_object(scene).hollow, true);
 }
 
 TEST(Objects, UntexturedObjectsTakeTheDefaultOfTheirUse) {  // case 10
   const Scene scene = scene_of(kVersion + "#declare S = box { 0, 1 } #default { pigment { rgb y } } object { S }");
   EXPECT_EQ(only_object(scene).texture.texture, nullptr);
-  const auto& layers = std::get<std::vector<TextureLayer>>(only_object(scene).default_texture->content);
+  const auto& layers = std::get<std::vector<TextureLayer>>(only_object(scene).extras->default_texture->content);
   EXPECT_EQ(plain_color(*layers.at(0).pigment).rgb, Rgb(0, 1, 0));
 }
 
@@ -117,9 +117,9 @@ TEST(Objects, ClipsMustBePlainSolids) {
 TEST(Objects, ClipsMoveWithTheirObject) {
   const Scene scene = scene_of(kVersion + "sphere { 0, 1 clipped_by { plane { y, 0 } } bounded_by { clipped_by } translate y }");
   const Object& sphere = only_object(scene);
-  ASSERT_EQ(sphere.clipped_by.size(), 1u);
-  EXPECT_EQ(sphere.clipped_by[0]->transform.translation, dvec3(0, 1, 0));
-  EXPECT_EQ(sphere.bounded_by, sphere.clipped_by);
+  ASSERT_EQ(sphere.extras->clipped_by.size(), 1u);
+  EXPECT_EQ(sphere.extras->clipped_by[0]->transform->translation, dvec3(0, 1, 0));
+  EXPECT_EQ(sphere.extras->bounded_by, sphere.extras->clipped_by);
 }
 
 TEST(Objects, ModifiersOfOtherObjectsAreErrors) {
@@ -146,7 +146,7 @@ TEST(Objects, LayersOverPatternedTexturesAreErrors) {
 TEST(Objects, MeshKeepsFlatWhatHasEqualNormals) {  // chapter 21 §3.2
   const Scene scene = scene_of(
       kVersion + "mesh { smooth_triangle { 0, z, x, z, y, z } smooth_triangle { 0, z, x, x + z, y, z } triangle { 0, 0, 0 } }");
-  const MeshData& mesh = *std::get<Mesh>(std::get<AnyShape>(only_object(scene).geometry)).data;
+  const MeshData& mesh = *only_object(scene).shape_if<Mesh>()->data;
   ASSERT_EQ(mesh.faces.size(), 2u);  // the degenerate one is dropped
   EXPECT_EQ(mesh.normal_indices.at(0)[0], MeshData::kNone);
   EXPECT_NE(mesh.normal_indices.at(1)[0], MeshData::kNone);
@@ -159,7 +159,7 @@ TEST(Objects, Mesh2FacesMayHaveThreeTextures) {  // case 28
   const Scene scene = scene_of(kVersion + R"(mesh2 { vertex_vectors { 3, <-2,-2,0>, <2,-2,0>, <0,9,0> }
     texture_list { 3, texture { pigment { rgb x } }, texture { pigment { rgb y } }, texture { pigment { rgb z } } }
     face_indices { 1, <0,1,2>, 0, 1, 2 } })");
-  const MeshData& mesh = *std::get<Mesh>(std::get<AnyShape>(only_object(scene).geometry)).data;
+  const MeshData& mesh = *only_object(scene).shape_if<Mesh>()->data;
   EXPECT_EQ(mesh.textures.size(), 3u);
   EXPECT_EQ(mesh.texture_indices.at(0), (MeshData::Indices{0, 1, 2}));
 }

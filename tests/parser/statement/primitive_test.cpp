@@ -13,7 +13,7 @@ bool has_parser(std::string_view keyword) {
 }
 
 template <class... Shapes>
-void expect_parsers(const std::variant<Shapes...>*) {
+void expect_parsers(const SharedVariant<Shapes...>*) {
   for (const std::string_view keyword : {Shapes::kKeyword...}) EXPECT_TRUE(has_parser(keyword)) << keyword;
 }
 

@@ -1,58 +1,69 @@
 // Antialiasing method 3, lute's own: a pixel is divided where its samples say that its error comes from, until the
 // estimated error is below the chosen bound.
 //
-// Every pixel begins with the samples at its four corners, which it shares with its neighbours. Every other corner is
-// traced, as the black squares of a chequer; the others are traced where the four around them differ, and otherwise are
-// their mean. Where the corners of a pixel, and those around it, say that their mean may be off by more than the bound,
-// its square becomes four cells with one Owen-scrambled Sobol point each. The cells whose samples differ most from those beside them,
-// weighted with their area, are divided into four, again and again.
+// Every pixel begins with its four corners (engine/render/corner_samples.hpp). Where they, and those around them, say that their mean
+// may be off by more than the bound, its square becomes four cells, and the cells whose samples differ most from those beside them,
+// weighted with their area, are divided into four, again and again (engine/render/divided_pixel.hpp). Where a pattern has come to
+// light, the pixels around are looked at once more: their few samples may be alike by chance.
 #pragma once
 
-#include "engine/render/antialias.hpp"
+#include <cstdint>
+
+#include "engine/render/corner_samples.hpp"
 #include "engine/render/error_map.hpp"
+#include "engine/render/film.hpp"
 
 namespace lute {
 
-// The samples at the corners of an area of pixels.
-class CornerSamples {
- public:
-  struct Sample {
-    Color color;
-    glm::vec4 coded;
-  };
-  // Top left, top right, bottom left, bottom right.
-  using Corners = std::array<const Sample*, 4>;
-
-  CornerSamples(const PixelArea& area, const DisplayMetric& metric);
-
-  // Corner (x, y) is the top left one of pixel (x, y). The corners of the pixels and a ring around them, so that a part
-  // of the picture does not depend on where it ends; black ones in two rings more.
-  const PixelArea& area() const { return area_; }
-  const PixelArea& area_of_black() const { return area_of_black_; }
-
-  void trace_black(const PixelArea& block, PixelSource& source);  // a part of area_of_black()
-  // A part of area(), after all of the black ones. `bound`: on the error of a pixel.
-  void fill_white(const PixelArea& block, double bound, PixelSource& source);
-
-  Corners of_pixel(int x, int y) const;
-  // The mean square error of the mean of the pixel's corners, or more than `allowed`.
-  double error_of_pixel(int x, int y, double allowed) const;
-
- private:
-  std::size_t index(int x, int y) const;
-  void trace(int x, int y, PixelSource& source);
-  double difference(int x, int y, const dvec4& from) const;  // mean square
-  double contrast_farther(int x, int y, const dvec4& mean) const;
-  double contrast_across(int x, int y) const;
-  bool interpolate(int x, int y, double bound);  // false: the corners around differ
-
-  PixelArea area_, area_of_black_;
-  const DisplayMetric& metric_;
-  std::vector<Sample> samples_;
+// What the samples of a pixel have shown.
+struct PixelFinding {
+  float pattern = 0;        // the variance of a pattern of which the pixel has no more than parts; 0: none
+  std::uint16_t cells = 0;  // 0: the corners alone
 };
 
-// Renders one block of the area. `bound` limits the root mean square error of each pixel, in coded values 0...1.
+// The findings over an area.
+class FindingMap {
+ public:
+  explicit FindingMap(const PixelArea& area);
+
+  const PixelArea& area() const { return area_; }
+  PixelFinding& at(int x, int y) { return findings_[index(x, y)]; }
+  const PixelFinding& at(int x, int y) const { return findings_[index(x, y)]; }
+  // The mean of the patterns among the pixels up to kReach away; 0 when there are only a few, as where edges meet.
+  double pattern_near(int x, int y) const;
+
+  bool any_pattern_near(const PixelArea& block) const;
+
+  static constexpr int kReach = 2;
+
+ private:
+  static constexpr int kFewestNear = 3;  // of 5 × 5 pixels
+
+  PixelArea around(const PixelArea& block) const;
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y - area_.first_row) * static_cast<std::size_t>(area_.columns()) +
+           static_cast<std::size_t>(x - area_.first_column);
+  }
+
+  PixelArea area_;
+  std::vector<PixelFinding> findings_;
+};
+
+// Where the pixels of a render go. Beyond `area` they are rendered for what they show of its own.
+struct ErrorDrivenTarget {
+  const PixelArea& area;
+  Film& film;
+  ErrorMap& errors;
+};
+
+// Renders one block. `bound` limits the root mean square error of each pixel, in coded values 0...1.
 void render_error_driven_block(const PixelArea& block, double bound, const CornerSamples& corners,
-                               const DisplayMetric& metric, PixelSource& source, Film& film, ErrorMap& errors);
+                               const DisplayMetric& metric, PixelSource& source, const ErrorDrivenTarget& target,
+                               FindingMap& findings);
+
+// Renders the pixels with few samples again that have a pattern near by, with more. `before`: the findings so far.
+void look_again_at_block(const PixelArea& block, double bound, const CornerSamples& corners, const DisplayMetric& metric,
+                         PixelSource& source, const ErrorDrivenTarget& target, const FindingMap& before,
+                         FindingMap& after);
 
 }  // namespace lute

@@ -98,19 +98,36 @@ class Passes {
   RenderResult result_;
 };
 
+// The area and `pixels` more on each side, as far as the picture goes.
+PixelArea grown(const PixelArea& area, int pixels, const Film& film) {
+  return {std::max(area.first_column - pixels, 0), std::max(area.first_row - pixels, 0),
+          std::min(area.last_column + pixels, film.width() - 1), std::min(area.last_row + pixels, film.height() - 1)};
+}
+
 RenderResult render_error_driven(const RenderSettings& settings, const DisplayMetric& metric,
                                  const MakePixelSource& make_source, Film& film, const RenderProgress& progress) {
+  // A look may find patterns that the next one follows; each asks for the pixels around.
+  constexpr int kMoreLooks = 5, kReach = FindingMap::kReach;
+  const PixelArea whole = grown(settings.area, kMoreLooks * kReach, film);
   ErrorMap errors(settings.area);
-  CornerSamples corners(settings.area, metric);
+  CornerSamples corners(whole, metric);
   const double bound = settings.antialiasing.error_bound;
-  Passes passes(settings, make_source, progress, 3);
+  const ErrorDrivenTarget target{settings.area, film, errors};
+  Passes passes(settings, make_source, progress, 3 + kMoreLooks);
   passes.run(corners.area_of_black(),
              [&](const PixelArea& block, PixelSource& source) { corners.trace_black(block, source); });
   passes.run(corners.area(),
              [&](const PixelArea& block, PixelSource& source) { corners.fill_white(block, bound, source); });
-  passes.run(settings.area, [&](const PixelArea& block, PixelSource& source) {
-    render_error_driven_block(block, bound, corners, metric, source, film, errors);
+  FindingMap findings(whole);
+  passes.run(whole, [&](const PixelArea& block, PixelSource& source) {
+    render_error_driven_block(block, bound, corners, metric, source, target, findings);
   });
+  for (int look = kMoreLooks - 1; look >= 0; --look) {
+    const FindingMap before = findings;
+    passes.run(grown(settings.area, look * kReach, film), [&](const PixelArea& block, PixelSource& source) {
+      look_again_at_block(block, bound, corners, metric, source, target, before, findings);
+    });
+  }
   passes.result().estimated_error = errors.rmse();
   return passes.result();
 }
@@ -119,18 +136,20 @@ RenderResult render_error_driven(const RenderSettings& settings, const DisplayMe
 
 RenderResult render(const RenderSettings& settings, const MakePixelSource& make_source, Film& film,
                     const RenderProgress& progress) {
-  const DisplayMetric display(settings.gamma_mode, settings.assumed_gamma, settings.alpha);
-  if (settings.antialiasing.error_driven()) return render_error_driven(settings, display, make_source, film, progress);
+  // Its tables are worth their making only where errors are estimated.
+  std::optional<DisplayMetric> display;
+  if (settings.estimates()) display.emplace(settings.gamma_mode, settings.assumed_gamma, settings.alpha);
+  if (settings.antialiasing.error_driven()) return render_error_driven(settings, *display, make_source, film, progress);
   const ColorMetric metric(settings.antialiasing, settings.gamma_mode, settings.assumed_gamma);
   std::optional<ErrorMap> errors;
   std::optional<ErrorRecord> record;
-  if (settings.estimate_error) record.emplace(display, errors.emplace(settings.area));
+  if (settings.estimate_error) record.emplace(*display, errors.emplace(settings.area));
   Passes passes(settings, make_source, progress, 1);
   passes.run(settings.area, [&](const PixelArea& block, PixelSource& source) {
     render_block(block, settings.antialiasing, metric, source, film, record ? &*record : nullptr);
   });
   if (errors) {
-    errors->estimate_centres(film, display);
+    errors->estimate_centres(film, *display);
     passes.result().estimated_error = errors->rmse();
   }
   return passes.result();

@@ -19,6 +19,8 @@ struct RenderSettings {
   double assumed_gamma = 1;
   bool alpha = false;           // transparency is seen: its error counts
   bool estimate_error = false;  // method 3 does anyway
+
+  bool estimates() const { return estimate_error || antialiasing.error_driven(); }
 };
 
 struct RenderProgress {

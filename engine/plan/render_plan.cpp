@@ -113,6 +113,36 @@ void plan_geometry(const SceneSurvey& s, PlanWriter& out) {
   for (const auto& [name, seen] : s.patterns) out.item(name, seen, "a texture uses it", "none");
 }
 
+// The first of these that the scene has.
+Seen any_of(const std::map<std::string, Seen>& seen, std::initializer_list<const char*> names) {
+  Seen result;
+  for (const char* name : names) {
+    const auto found = seen.find(name);
+    if (found != seen.end()) result = either(result, found->second);
+  }
+  return result;
+}
+
+void plan_acceleration(const SceneSurvey& s, PlanWriter& out) {
+  out.group("acceleration");
+  Seen solids;
+  for (const auto& [name, seen] : s.shapes) solids = either(solids, seen);
+  out.item("tree of solids", solids, "rays look for solids in it", "no solids");
+  out.item("trees of triangles", any_of(s.shapes, {"mesh", "mesh2"}), "rays look for a mesh's triangles in them", "no mesh");
+  out.item("pyramids of heights", any_of(s.shapes, {"height_field"}), "rays look for a height field's hills in them", "no height_field");
+}
+
+// Tables that are made when they are first asked for.
+void plan_pattern_tables(const Scene& scene, const SceneSurvey& s, PlanWriter& out) {
+  out.group("tables");
+  out.item("random numbers", any_of(s.patterns, {"cells", "crackle", "facets"}), "a pattern draws from them", "no pattern draws from them");
+  Seen patterns;
+  for (const auto& [name, seen] : s.patterns) patterns = either(patterns, seen);
+  const bool perlin = scene.settings.noise_generator == 3;
+  out.item("Perlin's noise", perlin ? patterns : Seen{}, "noise_generator 3 has tables of its own",
+           perlin ? "no pattern" : "noise_generator is not 3");
+}
+
 std::string place(const Scene& scene, SourceLocation where) {
   if (where.line == 0) return {};
   const std::string file = where.file < scene.files.size() ? scene.files[where.file] : "?";
@@ -131,6 +161,8 @@ RenderPlan make_plan(const Scene& scene, const BuildOptions& options) {
   plan_lights(survey, out, plan);
   plan_surroundings(scene, survey, out, plan);
   plan_geometry(survey, out);
+  plan_acceleration(survey, out);
+  plan_pattern_tables(scene, survey, out);
   out.group("buffers");
   out.add("alpha", options.output_alpha, options.output_alpha ? "needed because the output has alpha" : "left out: the output has no alpha",
           {});
@@ -138,13 +170,19 @@ RenderPlan make_plan(const Scene& scene, const BuildOptions& options) {
 }
 
 std::string RenderPlan::text(const Scene& scene) const {
-  std::string result, group;
-  for (const PlanItem& item : items) {
-    if (item.group != group) result += (group = item.group) + ":\n";
-    const std::string where = place(scene, item.where);
-    result += "  " + item.name + std::string(item.name.size() < 22 ? 22 - item.name.size() : 1, ' ') + item.reason;
-    if (!where.empty()) result += " (" + where + ")";
-    result += "\n";
+  std::vector<std::string> groups;
+  for (const PlanItem& item : items)
+    if (std::ranges::find(groups, item.group) == groups.end()) groups.push_back(item.group);
+  std::string result;
+  for (const std::string& group : groups) {
+    result += group + ":\n";
+    for (const PlanItem& item : items) {
+      if (item.group != group) continue;
+      const std::string where = place(scene, item.where);
+      result += "  " + item.name + std::string(item.name.size() < 22 ? 22 - item.name.size() : 1, ' ') + item.reason;
+      if (!where.empty()) result += " (" + where + ")";
+      result += "\n";
+    }
   }
   return result;
 }

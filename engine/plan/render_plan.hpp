@@ -14,7 +14,7 @@
 namespace lute {
 
 struct PlanItem {
-  std::string group;     // "rays", "shading", "lights", "shapes", "patterns", "passes", "buffers"
+  std::string group;     // "rays", "shading", "lights", "shapes", "patterns", "acceleration", "tables", "passes", "buffers"
   std::string name;
   bool needed = false;
   std::string reason;    // "needed because ..." or why it can be left out

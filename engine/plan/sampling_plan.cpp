@@ -21,16 +21,18 @@ void plan_sampling(const Scene& scene, const Antialiasing& antialiasing, bool es
   add("buffers", "estimated errors", driven || estimate_error,
       driven ? "antialiasing follows them" : "--stats asks for them", "neither +AM3 nor --stats");
   add("buffers", "corner samples", driven, "antialiasing begins from them", "not +AM3");
+  add("buffers", "patterns found", driven, "antialiasing looks again at the pixels around", "not +AM3");
 
   add("passes", "antialiasing", method != 0, "the options ask for method " + std::to_string(method),
       "one sample a pixel");
-  add("passes", "second pass", driven, "antialiasing needs the pixels around each", "pixels are finished in one pass");
+  add("passes", "further passes", driven, "antialiasing needs the pixels around each", "pixels are finished in one pass");
 
   const bool blur = FocalBlur::wanted(scene.camera);
   const bool jitter = antialiasing.moves_samples();
   add("tables", "lens positions", blur, "the camera has an aperture", "the camera is a pinhole", scene.camera.where);
   add("tables", "jitter", jitter || blur, jitter ? "antialiasing moves its samples" : "the camera has an aperture",
       "no sample is moved");
+  add("tables", "coded colours", driven || estimate_error, "errors are estimated as they are seen", "neither +AM3 nor --stats");
   add("tables", "Sobol cells", driven, "antialiasing divides pixels into them", "not +AM3");
 }
 

@@ -1,4 +1,4 @@
-// What `lute --explain` says about twenty scenes, word for word: tests/app/explain/NAME.txt
+// What `lute --explain` says about these scenes, word for word: tests/app/explain/NAME.txt
 // (renewed as tests/golden.hpp says).
 #include <gtest/gtest.h>
 
@@ -34,7 +34,12 @@ const Explained kScenes[] = {
     {"lecture/mirror.pov"},          {"lecture/parallel_light.pov"},  {"lecture/refraction.pov"},
     {"lecture/sky_sphere.pov"},      {"lecture/smooth_triangle.pov"}, {"lecture/spotlight.pov"},
     {"lecture/torus.pov"},           {"lecture/torus.pov", {"+Q3"}},  {"lecture/torus.pov", {"+A"}},
-    {"lecture/torus.pov", {"+AM3"}}, {"lecture/torus.pov", {"+UA"}},  {"showcase/lute.pov"}};
+    {"lecture/torus.pov", {"+AM3"}}, {"lecture/torus.pov", {"+UA"}},  {"showcase/lute.pov"},
+    {"feature/pattern/bumps.pov"},   {"feature/pattern/texture_map.pov"},  {"feature/pattern/uv_mapping.pov"},
+    {"feature/pattern/crackle.pov"}, {"feature/finish/irid.pov"},          {"feature/finish/diffuse.pov"},
+    {"feature/atmosphere/rainbow.pov"}, {"feature/light/light_group.pov"}, {"feature/light/fade.pov"},
+    {"feature/light/projected_through.pov"}, {"feature/interior/dispersion.pov"}, {"feature/interior/caustics.pov"},
+    {"feature/csg/clipped_by.pov"},  {"feature/camera/focal_blur.pov"},    {"../tests/app/explain/layers.pov"}};
 
 class Explain : public testing::TestWithParam<Explained> {};
 

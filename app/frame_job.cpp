@@ -110,13 +110,13 @@ ExitCode render_frame(const RenderOptions& options, const Frame& frame, const st
   }
   StageTimes times;
   Stopwatch parse_watch;
-  const ParseResult parsed = parse_frame(options, frame, text, console);
+  ParseResult parsed = parse_frame(options, frame, text, console);
   times.parse = parse_watch.seconds();
   if (!parsed.ok) return ExitCode::kFailed;
 
   Stopwatch build_watch;
   const RenderPlan plan = make_plan(parsed.scene, build_options(options));
-  const std::unique_ptr<BuiltScene> built = build_scene(parsed.scene, plan);
+  const std::unique_ptr<BuiltScene> built = build_and_release(parsed.scene, plan);
   const Tracer tracer(*built, plan);
   const SceneView view(built->camera, *built->textures, tracer, options.width, options.height);
   times.build = build_watch.seconds();

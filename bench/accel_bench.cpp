@@ -177,9 +177,9 @@ void spheres(benchmark::State& state, bool shadow) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int i = 0; i < 100000; ++i) {
-    auto leaf = std::make_unique<Leaf>();
-    leaf->shape = build(Sphere{dvec3(unit(random), unit(random), unit(random)), 0.01}, Transform(), context);
-    leaf->opaque = true;
+    Leaf leaf;
+    leaf.shape = build(Sphere{dvec3(unit(random), unit(random), unit(random)), 0.01}, Transform(), context);
+    leaf.opaque = true;
     owned.push_back(std::make_unique<LeafSolid>(std::move(leaf)));
     solids.push_back(owned.back().get());
   }

@@ -49,25 +49,17 @@ float rounded_up(double v) { return -rounded_down(-v); }
 
 }  // namespace
 
-Bvh::Bvh(std::span<const Aabb> boxes, BvhLeaves leaves) {
-  Aabb all;
-  for (const Aabb& box : boxes)
-    if (!box.empty()) all.join(box);
-  if (all.empty()) return;
-  const dvec3 origin = all.center();
-  std::vector<Item> items;
-  items.reserve(boxes.size());
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-    if (boxes[i].empty()) continue;
-    Item& item = items.emplace_back();
-    item.index = i;
-    for (int a = 0; a < 3; ++a) {
-      item.lo[a] = rounded_down(boxes[i].lo[a] - origin[a]);
-      item.hi[a] = rounded_up(boxes[i].hi[a] - origin[a]);
-    }
+Bvh::Bvh(std::span<const Aabb> boxes, BvhLeaves leaves)
+    : Bvh(boxes.size(), [&](std::size_t i) -> const Aabb& { return boxes[i]; }, leaves) {}
+
+Bvh::Item Bvh::item_of(std::uint32_t index, const Aabb& box, const dvec3& origin) {
+  Item item;
+  item.index = index;
+  for (int a = 0; a < 3; ++a) {
+    item.lo[a] = rounded_down(box.lo[a] - origin[a]);
+    item.hi[a] = rounded_up(box.hi[a] - origin[a]);
   }
-  *this = Bvh(std::move(items), leaves);
-  origin_ = {origin.x, origin.y, origin.z, 0};
+  return item;
 }
 
 Bvh::Bvh(std::vector<Item> items, BvhLeaves leaves) : nodes_(build_bvh_nodes(items, leaves)) {

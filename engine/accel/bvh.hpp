@@ -54,6 +54,10 @@ class Bvh {
   // Over boxes of any scale; sides must be below 1e30. Items with empty boxes are left out.
   explicit Bvh(std::span<const Aabb> boxes, BvhLeaves leaves = {});
 
+  // The same over `count` boxes that nobody keeps: `box_of(i)` is asked twice for each.
+  template <class BoxOf>
+  Bvh(std::size_t count, const BoxOf& box_of, BvhLeaves leaves = {});
+
   // Over ready items, origin 0.
   Bvh(std::vector<Item> items, BvhLeaves leaves);
 
@@ -62,6 +66,7 @@ class Bvh {
   dvec3 origin() const { return {origin_[0], origin_[1], origin_[2]}; }
   const std::array<double, 4>& padded_origin() const { return origin_; }  // the last number is 0
   std::span<const std::uint32_t> order() const { return order_; }  // item indices, leaf by leaf
+  std::vector<std::uint32_t> take_order() { return std::move(order_); }  // for owners that keep their items in this order
   Aabb bounds() const;
 
   // Replaces every leaf's (first, count) by what `replace(first, count)` returns, a pair; for owners that repack their
@@ -83,10 +88,27 @@ class Bvh {
   using LeafFunction = bool (*)(void* context, std::uint32_t first, std::uint32_t count, double& far);
   void visit_leaves(const Ray& ray, Interval range, std::uint64_t& box_tests, void* context, LeafFunction visit) const;
 
+  static Item item_of(std::uint32_t index, const Aabb& box, const dvec3& origin);
+
   std::array<double, 4> origin_{};
   std::vector<Node> nodes_;  // the root first
   std::vector<std::uint32_t> order_;
 };
+
+template <class BoxOf>
+Bvh::Bvh(std::size_t count, const BoxOf& box_of, BvhLeaves leaves) {
+  Aabb all;
+  for (std::size_t i = 0; i < count; ++i)
+    if (const Aabb box = box_of(i); !box.empty()) all.join(box);
+  if (all.empty()) return;
+  const dvec3 origin = all.center();
+  std::vector<Item> items;
+  items.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+    if (const Aabb box = box_of(i); !box.empty()) items.push_back(item_of(static_cast<std::uint32_t>(i), box, origin));
+  *this = Bvh(std::move(items), leaves);
+  origin_ = {origin.x, origin.y, origin.z, 0};
+}
 
 template <class Replace>
 void Bvh::replace_leaves(Replace&& replace) {

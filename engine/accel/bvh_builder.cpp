@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 // Compiled once for each instruction set; the best one is chosen at run time. Minima, maxima and counts are exact in
 // any order and on any instruction set, so the tree is always the same.
@@ -161,11 +162,13 @@ class Builder {
     Range all;
     all.end = size;
     for (std::size_t i = 0; i < size; ++i) all.join(items_[i]);
-    nodes.reserve(size / (3 * leaves_.block) + 1);
+    nodes.reserve(enough_nodes(size));
     node(all, 0, nodes);
   }
 
  private:
+  // More than there will be, mostly: what is not used takes no memory, moving what is used takes twice as much.
+  std::size_t enough_nodes(std::size_t items) const { return items / (4 * leaves_.block) + 1; }
   double blocks(std::size_t count) const { return static_cast<double>((count + leaves_.block - 1) / leaves_.block); }
 
   // Appends the node over `range`, then those below it, to `out`.
@@ -179,7 +182,10 @@ class Builder {
     tbb::task_group tasks;
     for (std::size_t c = 0; c < count; ++c) {
       if (is_leaf(parts[c]) || parts[c].size() < kParallelSubtree) continue;
-      tasks.run([this, &part = parts[c], &subtree = subtrees[c], depth] { node(part, depth + 1, subtree); });
+      tasks.run([this, &part = parts[c], &subtree = subtrees[c], depth] {
+        subtree.reserve(enough_nodes(part.size()));
+        node(part, depth + 1, subtree);
+      });
     }
     for (std::size_t c = 0; c < Bvh::kWidth; ++c) {
       const Box box = c < count ? parts[c].box : Box();
@@ -200,7 +206,7 @@ class Builder {
     }
     tasks.wait();
     for (std::size_t c = 0; c < count; ++c)
-      if (!subtrees[c].empty()) out[index].child[c] = append(subtrees[c], out);
+      if (!subtrees[c].empty()) out[index].child[c] = append(std::exchange(subtrees[c], {}), out);
   }
 
   static std::int32_t append(const std::vector<Bvh::Node>& subtree, std::vector<Bvh::Node>& out) {
@@ -215,21 +221,33 @@ class Builder {
 
   bool is_leaf(const Range& range) const { return range.leaf || range.size() <= leaves_.block; }
 
-  // Splits the part with the largest surface until there are eight; returns how many there are.
+  // Splits `parts[0]` into up to eight; returns how many there are. Nodes come out well filled: what one node holds is divided no
+  // further, unless there is room for all of it here.
   std::size_t divide(std::array<Range, Bvh::kWidth>& parts, int depth) {
+    const std::size_t full = Bvh::kWidth * leaves_.block;
     std::size_t count = 1;
-    while (count < Bvh::kWidth) {
-      std::size_t largest = Bvh::kWidth;
-      double largest_area = -1;
+    const auto split_best = [&](auto&& worth) {
+      std::size_t best = Bvh::kWidth;
+      double most = 0;
       for (std::size_t i = 0; i < count; ++i) {
         if (is_leaf(parts[i])) continue;
-        const double area = parts[i].box.half_area();
-        if (!(area > largest_area)) continue;
-        largest_area = area;
-        largest = i;
+        const double w = worth(parts[i]);
+        if (!(w > most)) continue;
+        most = w;
+        best = i;
       }
-      if (largest == Bvh::kWidth) break;
-      if (split(parts[largest], parts[count], depth)) ++count;
+      if (best < Bvh::kWidth && split(parts[best], parts[count], depth)) ++count;
+      return best < Bvh::kWidth;
+    };
+    // The surface decides; one that is not even zero (of boxes without extent) still counts.
+    const auto surface = [&](const Range& part) { return part.size() > full ? 1e-300 + part.box.half_area() : 0; };
+    while (count < Bvh::kWidth && split_best(surface)) {
+    }
+    const auto smallness = [&](const Range& part) {
+      const double leaves = blocks(part.size());
+      return leaves - 1 <= static_cast<double>(Bvh::kWidth - count) ? 1 / leaves : 0;
+    };
+    while (count < Bvh::kWidth && split_best(smallness)) {
     }
     return count;
   }

@@ -12,6 +12,8 @@ namespace {
 constexpr double kLargestFiniteVolume = 2e10;
 constexpr double kFarthestBound = 1e30;  // what single-precision boxes can hold with room for arithmetic
 
+bool is_infinite(const Aabb& box) { return !(box.volume() <= kLargestFiniteVolume); }
+
 bool fits_tree(const Aabb& box) {
   return glm::all(glm::lessThan(glm::abs(box.lo), dvec3(kFarthestBound))) &&
          glm::all(glm::lessThan(glm::abs(box.hi), dvec3(kFarthestBound)));
@@ -40,36 +42,30 @@ bool AskedSolid::blocks(const Ray& ray, Interval range) const {
 SceneTree::SceneTree(std::span<const Solid* const> solids) {
   constexpr std::size_t kFewest = 6;  // below, a tree costs more than it saves
   const auto count = static_cast<std::uint32_t>(solids.size());
-  std::vector<Entry> finite;
-  std::vector<Aabb> boxes;
-  const auto list = [&](const Entry& entry, const Aabb& box) {
-    const bool limited = !is_cheap(*entry.asked.solid) && box.half_area() < std::numeric_limits<double>::infinity();
-    listed_.push_back({entry, box, limited});
+  std::vector<std::uint32_t> finite;
+  const auto entry = [&](std::uint32_t i, bool infinite) {
+    const Visibility visibility = solids[i]->visibility;
+    return Entry{solids[i], infinite ? i : count + i, visibility, solids[i]->opaque && !visibility.no_shadow};
+  };
+  const auto list = [&](const Entry& listed, const Aabb& box) {
+    const bool limited = !is_cheap(*listed.solid) && box.half_area() < std::numeric_limits<double>::infinity();
+    listed_.push_back({listed, box, limited});
     any_boxed_ = any_boxed_ || limited;
   };
   for (std::uint32_t i = 0; i < count; ++i) {
-    const Aabb& box = solids[i]->box;
+    const Aabb box = solids[i]->box();
     if (box.empty()) continue;
-    const bool infinite = !(box.volume() <= kLargestFiniteVolume);
-    const Visibility visibility = solids[i]->visibility;
-    const Entry entry{.asked = AskedSolid(*solids[i]),
-                      .rank = infinite ? i : count + i,
-                      .visibility = visibility,
-                      .restricted = visibility.restricts(),
-                      .blocks = solids[i]->opaque && !visibility.no_shadow};
-    if (fits_tree(box)) {
-      finite.push_back(entry);
-      boxes.push_back(box);
-    } else {
-      list(entry, box);
-    }
+    if (fits_tree(box)) finite.push_back(i);
+    else list(entry(i, is_infinite(box)), box);
   }
   if (finite.size() < kFewest) {
-    for (std::size_t i = 0; i < finite.size(); ++i) list(finite[i], boxes[i]);
+    for (const std::uint32_t i : finite) list(entry(i, is_infinite(solids[i]->box())), solids[i]->box());
     return;
   }
-  bvh_ = Bvh(boxes);
-  for (const std::uint32_t i : bvh_.order()) bounded_.push_back(finite[i]);
+  bvh_ = Bvh(finite.size(), [&](std::size_t i) { return solids[finite[i]]->box(); });
+  const std::vector<std::uint32_t> order = bvh_.take_order();
+  bounded_.reserve(order.size());
+  for (const std::uint32_t i : order) bounded_.push_back(entry(finite[i], is_infinite(solids[finite[i]]->box())));
 }
 
 // Calls visit(entry, far) for what the ray may hit before `far`, which visit may lower, until it returns true.

@@ -64,6 +64,7 @@ class SceneTree {
     bool restricted;        // some kinds of rays do not see it
     bool blocks;            // casts shadows and is opaque
   };
+  static_assert(sizeof(const Solid*) != 8 || sizeof(Entry) == 16);
   struct Listed {
     Entry entry;
     Aabb box;

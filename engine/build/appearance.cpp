@@ -60,37 +60,37 @@ void SceneBuilder::pass_textures(const Object& object, const Context& parent, Co
 
   const bool light = object.light() != nullptr;
   if (own.texture.texture == nullptr && !light && !parent.stays_untextured && !holds_texture(object))
-    own.texture = {default_texture(), {}};
+    own.texture = {default_texture_ != nullptr ? default_texture_ : built_in_texture_, {}};
 }
 
-const TexturePtr& SceneBuilder::default_texture() {
-  if (default_texture_ == nullptr) {
-    auto built_in = std::make_shared<Texture>();
-    built_in->content = std::vector<TextureLayer>{{std::make_shared<Pigment>(), nullptr, std::make_shared<Finish>()}};
-    default_texture_ = std::move(built_in);
-  }
-  return default_texture_;
+TexturePtr SceneBuilder::built_in_texture() {
+  auto built_in = std::make_shared<Texture>();
+  built_in->content = std::vector<TextureLayer>{{std::make_shared<Pigment>(), nullptr, std::make_shared<Finish>()}};
+  return built_in;
 }
 
 BuiltInterior* SceneBuilder::new_interior(const InteriorPtr& description) {
-  auto interior = std::make_unique<BuiltInterior>();
-  if (description != nullptr) {
+  BuiltInterior& interior = built_.interiors.emplace_back();
+  if (description == nullptr) return &interior;
+  Shared<InteriorProperties>& shared = interior_properties_[description.get()];
+  if (shared.is_default()) {
     const Interior& d = *description;
+    InteriorProperties& p = shared.edit();
     if (d.ior != 0) {
-      interior->ior = d.ior;
-      interior->dispersion = d.dispersion;
+      p.ior = d.ior;
+      p.dispersion = d.dispersion;
     }
-    interior->dispersion_samples = d.dispersion_samples;
-    interior->caustics = d.caustics;
-    interior->fade_distance = d.fade_distance * static_cast<float>(built_.scale);
-    interior->fade_power = d.fade_power;
-    interior->fade_color = d.fade_color;
-    interior->refraction = d.refraction;
-    interior->media = d.media;
-    interior->where = d.where;
+    p.dispersion_samples = d.dispersion_samples;
+    p.caustics = d.caustics;
+    p.fade_distance = d.fade_distance * static_cast<float>(built_.scale);
+    p.fade_power = d.fade_power;
+    p.fade_color = d.fade_color;
+    p.refraction = d.refraction;
+    p.media = d.media;
+    p.where = d.where;
   }
-  built_.interiors.push_back(std::move(interior));
-  return built_.interiors.back().get();
+  interior.properties = shared;
+  return &interior;
 }
 
 // The interior may be shared by the parts of a combination: the last one to be settled decides.
@@ -103,11 +103,13 @@ void SceneBuilder::settle_interior(const Object& object, const Context& own) {
   if (layers == nullptr || layers->empty()) return;
   const Finish& finish = *layers->back().finish;
   if (finish.ior) {
-    interior.ior = *finish.ior != 0 ? *finish.ior : 1;
-    interior.dispersion = 1;
+    InteriorProperties& p = interior.properties.edit();
+    p.ior = *finish.ior != 0 ? *finish.ior : 1;
+    p.dispersion = 1;
   }
-  if (finish.caustics) interior.caustics = *finish.caustics;
-  interior.refraction = finish.refraction.value_or(1.0f);
+  if (finish.caustics) interior.properties.edit().caustics = *finish.caustics;
+  const float refraction = finish.refraction.value_or(1.0f);
+  if (interior.properties->refraction != refraction) interior.properties.edit().refraction = refraction;
 }
 
 PlacedTexture SceneBuilder::place(const Placed& placed) {
@@ -118,11 +120,11 @@ PlacedTexture SceneBuilder::place(const Placed& placed) {
 void SceneBuilder::dress(const Object& object, const Context& own, Leaf& leaf) {
   leaf.uv_mapping = own.uv_mapping;
   leaf.texture = place(own.texture);
-  leaf.interior_texture = place(own.interior_texture);
+  if (own.interior_texture.texture != nullptr) leaf.further.edit().inner = place(own.interior_texture);
   dress_parts(object, own, leaf);
   const auto opaque = [](const PlacedTexture& t) { return t.texture == nullptr || t.texture->opaque; };
-  leaf.opaque = leaf.texture.texture != nullptr && opaque(leaf.texture) && opaque(leaf.interior_texture) &&
-                std::ranges::all_of(leaf.part_textures, opaque);
+  leaf.opaque = leaf.texture.texture != nullptr && opaque(leaf.texture) && opaque(leaf.further->inner) &&
+                std::ranges::all_of(leaf.further->parts, opaque);
 }
 
 void SceneBuilder::dress_parts(const Object& object, const Context& own, Leaf& leaf) {
@@ -131,11 +133,11 @@ void SceneBuilder::dress_parts(const Object& object, const Context& own, Leaf& l
       [&](const auto& shape) {
         using Description = std::decay_t<decltype(shape)>;
         if constexpr (std::is_same_v<Description, Mesh>) {
-          for (const TexturePtr& texture : shape.data->textures) leaf.part_textures.push_back(place({texture, whole}));
+          for (const TexturePtr& texture : shape.data->textures) leaf.further.edit().parts.push_back(place({texture, whole}));
         } else if constexpr (std::is_same_v<Description, Blob>) {
           if (!shape.mixes_textures()) return;
           for (const auto& component : shape.components)
-            leaf.part_textures.push_back(place({component.texture, component.texture_placement.then(whole)}));
+            leaf.further.edit().parts.push_back(place({component.texture, component.texture_placement.then(whole)}));
         }
       });
 }

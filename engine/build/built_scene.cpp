@@ -79,27 +79,51 @@ bool rays_start_apart(const Camera& camera) {
          kind == CameraKind::kMesh;
 }
 
-std::unique_ptr<BuiltScene> built_at(double scale, const Scene& scene, const RenderPlan& plan) {
-  const BuildOptions& options = plan.options;
+TextureSettings texture_settings(const Scene& scene, const ShadingSettings& settings) {
+  TextureSettings result;
+  result.noise_generator = scene.settings.noise_generator;
+  result.number_of_waves = scene.settings.number_of_waves;
+  result.quick_colors = settings.quality < kQualityPatterns;
+  result.inside_test = make_inside_test;
+  result.addresses_differ = true;
+  return result;
+}
+
+// Makes the solids. Descriptions go once the scale is certain, for they will not be asked for another one.
+void build_solids(double scale, Scene& scene, const RenderPlan& plan, BuiltScene& built) {
+  SceneBuilder builder(built, plan.options);
+  long solids = 0;
+  for (const ObjectPtr& object : scene.objects) solids += builder.count_solids(*object);
+  built.solids.reserve(static_cast<std::size_t>(solids));
+  builder.use_hierarchy(solids >= plan.options.bounding_threshold);
+  builder.keep_containers(plan.interiors);
+
+  SceneSize size;
+  std::size_t measured = 0;
+  bool certain = scale != 1;
+  for (auto object = scene.objects.begin(); object != scene.objects.end(); ++object) {
+    builder.add(*object);
+    if (certain) {
+      object->reset();
+      continue;
+    }
+    for (; measured < built.solids.size(); ++measured) size.add(built.solids[measured]->box(), built.camera);
+    certain = stays_ordinary(size);
+    if (certain) std::fill(scene.objects.begin(), object + 1, nullptr);
+  }
+  if (certain) scene.objects = std::vector<ObjectPtr>();
+  builder.finish();
+}
+
+// `scene` loses its objects if they are certainly not needed again.
+std::unique_ptr<BuiltScene> built_at(double scale, Scene& scene, const RenderPlan& plan) {
   auto built = std::make_unique<BuiltScene>();
   built->scale = scale;
   built->camera = scaled(scene.camera, scale);
-  built->settings = shading_settings(scene, options);
-  TextureSettings texture_settings;
-  texture_settings.noise_generator = scene.settings.noise_generator;
-  texture_settings.number_of_waves = scene.settings.number_of_waves;
-  texture_settings.quick_colors = built->settings.quality < kQualityPatterns;
-  texture_settings.inside_test = make_inside_test;
-  built->textures = std::make_unique<TextureCompiler>(texture_settings);
-
-  SceneBuilder builder(*built, options);
-  long solids = 0;
-  for (const ObjectPtr& object : scene.objects) solids += builder.count_solids(*object);
-  builder.use_hierarchy(solids >= options.bounding_threshold);
-  for (const ObjectPtr& object : scene.objects) builder.add(object);
-  builder.finish();
+  built->settings = shading_settings(scene, plan.options);
+  built->textures = std::make_unique<TextureCompiler>(texture_settings(scene, built->settings));
+  build_solids(scale, scene, plan, *built);
   if (plan.interiors && rays_start_apart(scene.camera)) built->containers.index();
-
   add_surroundings(scene, plan, *built);
   return built;
 }
@@ -107,13 +131,14 @@ std::unique_ptr<BuiltScene> built_at(double scale, const Scene& scene, const Ren
 // Densities of media are per unit of length, in patterns of their own; the meshes of a camera are no solids.
 bool keeps_units(const BuiltScene& built) {
   return built.camera.kind == CameraKind::kMesh || !built.atmosphere.empty() ||
-         std::ranges::any_of(built.interiors, [](const auto& interior) { return !interior->media.empty(); });
+         std::ranges::any_of(built.interiors, [](const BuiltInterior& interior) { return !interior.properties->media.empty(); });
 }
 
 // Nothing is met farther than 1e7 units away: what stands there is looked for in a smaller picture of the scene.
 SceneSize size_of_far(const Scene& scene, const RenderPlan& plan) {
   constexpr double kScale = 0x1p-30;
-  const auto small = built_at(kScale, scene, plan);
+  Scene copy = scene;
+  const auto small = built_at(kScale, copy, plan);
   const SceneSize size = size_of(small->solids, small->camera);
   return {size.reach / kScale, size.smallest / kScale};
 }
@@ -125,12 +150,20 @@ void BuiltScene::interiors_at(const dvec3& point, std::vector<const BuiltInterio
 }
 
 std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const RenderPlan& plan) {
+  Scene copy = scene;
+  return build_and_release(copy, plan);
+}
+
+std::unique_ptr<BuiltScene> build_and_release(Scene& scene, const RenderPlan& plan) {
   auto built = built_at(1, scene, plan);
-  if (built->solids.empty() || keeps_units(*built)) return built;
-  SceneSize size = size_of(built->solids, built->camera);
-  if (size.reach == 0) size = size_of_far(scene, plan);
-  const double scale = rendering_scale(size);
-  return scale == 1 ? std::move(built) : built_at(scale, scene, plan);
+  if (!built->solids.empty() && !scene.objects.empty() && !keeps_units(*built)) {
+    SceneSize size = size_of(built->solids, built->camera);
+    if (size.reach == 0) size = size_of_far(scene, plan);
+    const double scale = rendering_scale(size);
+    if (scale != 1) built = built_at(scale, scene, plan);
+  }
+  scene.objects = std::vector<ObjectPtr>();
+  return built;
 }
 
 }  // namespace lute

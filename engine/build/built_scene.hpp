@@ -3,6 +3,7 @@
 // Source: specification chapters 11 §14, 20 §6-8 and 40.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -16,8 +17,7 @@
 
 namespace lute {
 
-// What a ray travels through inside an object. Its address is its identity: a ray's list of interiors compares addresses.
-struct BuiltInterior {
+struct InteriorProperties {
   float ior = 1;  // an interior without ior has 1
   float dispersion = 1;
   int dispersion_samples = 7;
@@ -25,9 +25,14 @@ struct BuiltInterior {
   float fade_distance = 0, fade_power = 0;
   Rgb fade_color{0.0f};
   float refraction = 1;  // old attenuation factor
-  bool hollow = false;
   std::vector<std::shared_ptr<const Media>> media;
   SourceLocation where;
+};
+
+// What a ray travels through inside an object. Its address is its identity: a ray's list of interiors compares addresses.
+struct BuiltInterior {
+  Shared<InteriorProperties> properties;
+  bool hollow = false;
 };
 
 struct BuiltSky {
@@ -65,7 +70,7 @@ struct BuiltScene {
   Camera camera;     // at its place in the built scene
   ShadingSettings settings;
   std::unique_ptr<TextureCompiler> textures;           // owns every compiled texture
-  std::vector<std::unique_ptr<BuiltInterior>> interiors;
+  std::deque<BuiltInterior> interiors;
   std::vector<std::unique_ptr<Solid>> solids;          // top level, in scene order
   std::unique_ptr<SceneTree> tree;
   std::vector<std::unique_ptr<BuiltLight>> lights;     // of groups too
@@ -85,5 +90,8 @@ struct BuiltScene {
 
 // `plan` is the one made of this scene: what it leaves out is not built.
 std::unique_ptr<BuiltScene> build_scene(const Scene& scene, const RenderPlan& plan);
+
+// The same, and gives back the memory of the objects' descriptions on the way: `scene` has none any more afterwards.
+std::unique_ptr<BuiltScene> build_and_release(Scene& scene, const RenderPlan& plan);
 
 }  // namespace lute

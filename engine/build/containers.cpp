@@ -17,7 +17,7 @@ bool fits_tree(const Aabb& box) {
 void Containers::index() {
   std::vector<Aabb> boxes;
   for (std::uint32_t i = 0; i < all_.size(); ++i) {
-    const Aabb& box = all_[i].solid->box;
+    const Aabb box = all_[i].solid->box();
     if (box.empty()) continue;
     if (fits_tree(box)) {
       boxes.push_back(box);

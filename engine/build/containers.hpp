@@ -26,7 +26,7 @@ class Containers {
   struct Container {
     const Solid* solid;
     const BuiltInterior* interior;
-    bool holds(const dvec3& point) const { return solid->box.contains(point) && solid->plain_inside(point); }
+    bool holds(const dvec3& point) const { return solid->box().contains(point) && solid->plain_inside(point); }
   };
 
   std::vector<Container> all_;

@@ -48,7 +48,7 @@ std::optional<GeometryAnswers::SurfacePoint> GeometryAnswers::trace(const Object
 
 bool GeometryAnswers::inside(const ObjectPtr& object, const dvec3& point) {
   const auto& solids = built(object).scene.solids;
-  return std::ranges::any_of(solids, [&](const auto& s) { return s->inside_box.contains(point) && s->inside(point); });
+  return std::ranges::any_of(solids, [&](const auto& s) { return s->may_contain(point) && s->inside(point); });
 }
 
 bool GeometryAnswers::is_patch(const ObjectPtr& object) {
@@ -66,7 +66,7 @@ Aabb tight_box(const Object& object) {
   SceneBuilder builder(scene, BuildOptions{});
   builder.add_geometry(std::make_shared<const Object>(object));
   Aabb box;
-  for (const auto& solid : scene.solids) box.join(solid->box);
+  for (const auto& solid : scene.solids) box.join(solid->box());
   return box;
 }
 
@@ -92,7 +92,7 @@ class ObjectInside final : public InsideTest {
     builder.add_geometry(object);
   }
   bool inside(const dvec3& point) const override {
-    return std::ranges::any_of(scene_.solids, [&](const auto& s) { return s->inside_box.contains(point) && s->inside(point); });
+    return std::ranges::any_of(scene_.solids, [&](const auto& s) { return s->may_contain(point) && s->inside(point); });
   }
 
  private:

@@ -76,19 +76,19 @@ std::unique_ptr<Solid> SceneBuilder::solid(const Object& object, const Context& 
 
 std::unique_ptr<Solid> SceneBuilder::leaf(const Object& object, const Context& own, bool top_level) {
   const AnyShape& shape = *object.shape();
-  auto leaf = std::make_unique<Leaf>();
-  leaf->shape = shape.visit([&](const auto& s) { return build(s, own.to_world, shared_); });
-  leaf->inverted = own.inverted;
-  leaf->double_illuminate = own.double_illuminate;
-  leaf->interior = own.interior;
-  leaf->light_group = own.light_group;
-  leaf->global_lights = own.global_lights;
-  if (!geometry_only_) dress(object, own, *leaf);
+  Leaf leaf;
+  leaf.shape = shape.visit([&](const auto& s) { return build(s, own.to_world, shared_); });
+  leaf.inverted = own.inverted;
+  leaf.double_illuminate = own.double_illuminate;
+  leaf.interior = own.interior;
+  leaf.light_group = own.light_group;
+  leaf.global_lights = own.global_lights;
+  if (!geometry_only_) dress(object, own, leaf);
 
   Limits limit = limits(object, own);
   const bool box_only = top_level && options_.remove_bounds && !keeps_bounds(shape);
-  if (box_only && !hierarchy_used_ && !leaf->shape->tests_own_box()) limit.bounds.clear();
-  const bool box_tested = leaf->shape->tests_own_box() || (top_level && hierarchy_used_);
+  if (box_only && !hierarchy_used_ && !leaf.shape->tests_own_box()) limit.bounds.clear();
+  const bool box_tested = leaf.shape->tests_own_box() || (top_level && hierarchy_used_);
   auto built = std::make_unique<LeafSolid>(std::move(leaf), std::move(limit.clips), std::move(limit.bounds),
                                            box_only ? BoundTest::kBoxOnly : BoundTest::kTested, box_tested);
   built->visibility = own.visibility;
@@ -160,6 +160,7 @@ SceneBuilder::Limits SceneBuilder::limits(const Object& object, const Context& o
 }
 
 void SceneBuilder::add_container(const Solid& solid, const Context& own) {
+  if (!containers_kept_) return;
   if (const auto* leaf = dynamic_cast<const LeafSolid*>(&solid); leaf != nullptr && leaf->leaf().shape->is_patch()) return;
   built_.containers.add(solid, own.interior);
 }

@@ -37,6 +37,9 @@ class SceneBuilder {
   // bounding object then cuts nothing (chapter 20 §7.3).
   void use_hierarchy(bool used) { hierarchy_used_ = used; }
 
+  // Whether the scene asks what contains a point.
+  void keep_containers(bool kept) { containers_kept_ = kept; }
+
   // A top-level object: one solid, several (a union that is dissolved), or none (a light).
   void add(const ObjectPtr& object);
 
@@ -80,7 +83,7 @@ class SceneBuilder {
   PlacedTexture place(const Placed& placed);
   void dress(const Object& object, const Context& own, Leaf& leaf);
   void dress_parts(const Object& object, const Context& own, Leaf& leaf);
-  const TexturePtr& default_texture();
+  static TexturePtr built_in_texture();
 
   // object_builder.cpp
   void add_top_level(const Object& object, const Context& parent);
@@ -104,9 +107,13 @@ class SceneBuilder {
   BuildOptions options_;
   Context unit_;  // of the whole scene: from its own units to those of the built scene
   SharedForms shared_;
-  TexturePtr default_texture_;       // of the statement being built
+  // Made first: the address of a description that went must not be that of another one.
+  const TexturePtr built_in_texture_ = built_in_texture();
+  TexturePtr default_texture_;       // of the statement being built; null: the built-in one
   std::vector<int> outer_groups_;    // enclosing group of each light group; -1: none
+  std::map<const Interior*, Shared<InteriorProperties>> interior_properties_;  // of descriptions that are built
   bool hierarchy_used_ = true;
+  bool containers_kept_ = false;
   bool geometry_only_ = false;  // clips, bounds, questions: looks do not matter
 };
 

@@ -49,14 +49,15 @@ std::vector<double> depths_seen(std::span<const std::unique_ptr<Solid>> solids, 
 
 }  // namespace
 
+void SceneSize::add(const Aabb& box, const Camera& camera) {
+  if (!bounded(box)) return;
+  reach = std::max(reach, farthest_corner(box, camera.location));
+  smallest = std::min({smallest, glm::length(box.hi - box.lo), distance_to(box, camera.location)});
+}
+
 SceneSize size_of(std::span<const std::unique_ptr<Solid>> solids, const Camera& camera) {
   SceneSize size;
-  for (const auto& solid : solids) {
-    const Aabb& box = solid->box;
-    if (!bounded(box)) continue;
-    size.reach = std::max(size.reach, farthest_corner(box, camera.location));
-    size.smallest = std::min({size.smallest, glm::length(box.hi - box.lo), distance_to(box, camera.location)});
-  }
+  for (const auto& solid : solids) size.add(solid->box(), camera);
   if (size.reach > 0) return size;
   const std::vector<double> depths = depths_seen(solids, camera);
   if (depths.empty()) return {};
@@ -70,6 +71,8 @@ double rendering_scale(const SceneSize& size) {
   const double measure = too_small ? size.reach : size.smallest;
   return std::exp2(std::clamp(std::round(std::log2(kWantedSize / measure)), -300.0, 300.0));
 }
+
+bool stays_ordinary(const SceneSize& size) { return size.reach >= kTooSmall && size.smallest <= kTooLarge; }
 
 Camera scaled(Camera camera, double scale) {
   camera.location *= scale;

@@ -20,6 +20,9 @@ namespace lute {
 struct SceneSize {
   double reach = 0;  // 0: nothing to measure
   double smallest = std::numeric_limits<double>::infinity();
+
+  // Unbounded boxes count for nothing.
+  void add(const Aabb& box, const Camera& camera);
 };
 
 // From the boxes of bounded solids; of a scene without any, from where a few camera rays meet it.
@@ -27,6 +30,8 @@ SceneSize size_of(std::span<const std::unique_ptr<Solid>> solids, const Camera& 
 
 // 1 for a scene of ordinary size.
 double rendering_scale(const SceneSize& size);
+// That it is 1, and remains so whatever else is added.
+bool stays_ordinary(const SceneSize& size);
 
 // The same view of a scene whose lengths are multiplied with `scale`.
 Camera scaled(Camera camera, double scale);

@@ -52,7 +52,7 @@ Interval range_inside_all(const SharedSolids& solids, const Ray& ray, Interval r
 bool meets_all(const SharedSolids& bounds, const Ray& ray) {
   constexpr Interval kAhead{1e-4, std::numeric_limits<double>::infinity()};
   return std::ranges::all_of(bounds, [&](const auto& bound) {
-    return bound->inside(ray.origin) || (meets_box(ray, kAhead, bound->box) && bound->any(ray, kAhead, RayKind{}));
+    return bound->inside(ray.origin) || (meets_box(ray, kAhead, bound->box()) && bound->any(ray, kAhead, RayKind{}));
   });
 }
 
@@ -70,8 +70,8 @@ std::optional<Aabb> closing_box(const SharedSolids& clips, const Aabb& own) {
   Aabb limit = Aabb::infinite();
   bool any_open = false;
   for (const auto& clip : clips) {
-    const bool open = open_sides(clip->inside_box) == 1 && clip->box.is_finite();
-    limit = limit.intersection(open ? clip->box : clip->inside_box);
+    const bool open = open_sides(clip->inside_box()) == 1 && clip->box().is_finite();
+    limit = limit.intersection(open ? clip->box() : clip->inside_box());
     any_open |= open;
   }
   if (!any_open || limit.empty() || limit.volume() >= own.volume()) return std::nullopt;
@@ -81,7 +81,7 @@ std::optional<Aabb> closing_box(const SharedSolids& clips, const Aabb& own) {
 bool limit_box(Aabb& box, const SharedSolids& bounds) {
   if (bounds.empty()) return false;
   Aabb limit = Aabb::infinite();
-  for (const auto& bound : bounds) limit = limit.intersection(bound->inside_box);
+  for (const auto& bound : bounds) limit = limit.intersection(bound->inside_box());
   if (limit.empty() || !limit.is_finite() || limit.volume() >= box.volume()) return false;
   box = limit;
   return true;

@@ -25,6 +25,9 @@ ChildTree CsgSolid::set_boxes() {
   // A hit lies on one child and inside all others, so no child needs to be tried outside what the others leave. What one child
   // bounds may bound another: a cone by the planes across it.
   constexpr int kRounds = 4;
+  boxes_ = std::make_unique<Boxes>();
+  Aabb& box = boxes_->hits;
+  Aabb& inside_box = boxes_->inside;
   const Aabb clipped = inside_all_within(clips_, Aabb::infinite());
   inside_box = clipped;
   for (int round = 0; round < kRounds; ++round) {
@@ -34,20 +37,19 @@ ChildTree CsgSolid::set_boxes() {
   }
   std::vector<Aabb> ray_boxes, all_boxes;
   std::vector<bool> boxed;
-  box = Aabb();
   for (const auto& child : children_) {
     const Aabb region = all_children_needed() ? inside_box : clipped;
     ray_boxes.push_back(child->hits_within(region));
     box.join(ray_boxes.back());
-    boxed.push_back(!is_cheap(*child) || ray_boxes.back().volume() < 0.5 * child->box.volume());
+    boxed.push_back(!is_cheap(*child) || ray_boxes.back().volume() < 0.5 * child->box().volume());
     all_boxes.push_back(ray_boxes.back());
     // The inside tests of an intersection ask every child.
-    if (!all_children_needed()) all_boxes.back().join(child->inside_box);
+    if (!all_children_needed()) all_boxes.back().join(child->inside_box());
   }
   box_cuts_ = limit_box(box, bounds_);
   Aabb own = box_cuts_ ? box : Aabb();
   for (const auto& child : children_)
-    if (!box_cuts_) own.join(child->box);
+    if (!box_cuts_) own.join(child->box());
   if (const auto limit = closing_box(clips_, own)) {
     box = *limit;
     box_cuts_ = true;
@@ -77,14 +79,14 @@ Aabb CsgSolid::outside_bounds() const {
 }
 
 Aabb CsgSolid::hits_within(const Aabb& region) const {
-  const Aabb limits = (all_children_needed() ? inside_within(region) : region).intersection(box);
+  const Aabb limits = (all_children_needed() ? inside_within(region) : region).intersection(boxes_->hits);
   Aabb result;
   for (const auto& child : children_) result.join(child->hits_within(limits));
   return result.intersection(limits);
 }
 
 Aabb CsgSolid::inside_within(const Aabb& region) const {
-  const Aabb limits = inside_all_within(clips_, region.intersection(inside_box));
+  const Aabb limits = inside_all_within(clips_, region.intersection(boxes_->inside));
   Aabb result = all_children_needed() ? limits : Aabb();
   for (const auto& child : children_) {
     if (all_children_needed()) {
@@ -109,7 +111,7 @@ bool CsgSolid::child_visible(const Solid& child, RayKind kind) const {
 bool CsgSolid::in_clips(const dvec3& point) const { return clips_.empty() || inside_all(clips_, point); }
 
 bool CsgSolid::meets_bounds(const Ray& ray) const {
-  if (box_cuts_ && !meets_box(ray, {}, box)) return false;
+  if (box_cuts_ && !meets_box(ray, {}, boxes_->hits)) return false;
   return bounds_.empty() || meets_all(bounds_, ray);
 }
 
@@ -123,7 +125,7 @@ bool CsgSolid::survives(std::size_t child, const dvec3& point, RayKind kind) con
   bool hidden = false;
   tree_.around(point, [&](std::uint32_t i) {
     const Solid& other = *children_[i];
-    hidden = i != child && other.inside_box.contains(point) && child_visible(other, kind) && inside_child(i, point);
+    hidden = i != child && other.may_contain(point) && child_visible(other, kind) && inside_child(i, point);
     return hidden;
   });
   return !hidden;
@@ -236,7 +238,7 @@ bool CsgSolid::any(const Ray& ray, Interval range, RayKind kind) const {
 }
 
 bool CsgSolid::inside(const dvec3& point) const {
-  return inside_box.contains(point) && plain_inside(point) && in_clips(point);
+  return may_contain(point) && plain_inside(point) && in_clips(point);
 }
 
 bool CsgSolid::plain_inside(const dvec3& point) const {

@@ -19,83 +19,100 @@ Aabb widened(Aabb box) {
 
 }  // namespace
 
-LeafSolid::LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips, SharedSolids bounds, BoundTest bound_test,
-                     bool box_tested)
-    : leaf_(std::move(leaf)),
-      shape_(leaf_->shape.get()),
-      clips_(std::move(clips)),
-      bounds_(std::move(bounds)),
-      inverted_(leaf_->inverted) {
-  if (!shape_->inverse_turns_normal()) leaf_->inverted = false;
-  opaque = leaf_->opaque;
-  const Aabb clipped = inside_all_within(clips_, Aabb::infinite());
-  box = clips_.empty() ? shape_->bounds() : widened(shape_->surface_within(clipped)).intersection(clipped);
-  box_cuts_ = limit_box(box, bounds_);
-  if (const auto limit = closing_box(clips_, box_cuts_ ? box : shape_->bounds()); limit && box_tested) {
-    box = shape_->bounds().is_finite() ? *limit : widened(shape_->surface_within(*limit)).intersection(*limit);
-    box_cuts_ = true;
+LeafSolid::LeafSolid(Leaf leaf, SharedSolids clips, SharedSolids bounds, BoundTest bound_test, bool box_tested)
+    : inverted_(leaf.inverted), patch_(leaf.shape->is_patch()), leaf_(std::move(leaf)) {
+  if (!shape().inverse_turns_normal()) leaf_.inverted = false;
+  opaque = leaf_.opaque;
+  if (!clips.empty() || !bounds.empty()) {
+    set_limits(std::move(clips), std::move(bounds), bound_test, box_tested);
+  } else if (!shape().finds_bounds_fast()) {
+    auto boxes = std::make_unique<Boxes>();
+    boxes->hits = own_box();
+    boxes->inside = own_inside_box();
+    boxes_ = std::move(boxes);
   }
-  inside_box = inside_within(clipped);
-  if (!shape_->obeys_clips()) clips_.clear();
-  if (bound_test == BoundTest::kBoxOnly) bounds_.clear();
-  plain_ = clips_.empty() && bounds_.empty() && !box_cuts_;
-  patch_ = shape_->is_patch();
-  asks_clips_first_ = shape_->prefers_clipped_range() && !clips_.empty();
 }
 
+void LeafSolid::set_limits(SharedSolids clips, SharedSolids bounds, BoundTest bound_test, bool box_tested) {
+  auto limits = std::make_unique<Limits>();
+  const Aabb clipped = inside_all_within(clips, Aabb::infinite());
+  Aabb& box = limits->hits;
+  box = clips.empty() ? shape().bounds() : widened(shape().surface_within(clipped)).intersection(clipped);
+  limits->box_cuts = limit_box(box, bounds);
+  if (const auto limit = closing_box(clips, limits->box_cuts ? box : shape().bounds()); limit && box_tested) {
+    box = shape().bounds().is_finite() ? *limit : widened(shape().surface_within(*limit)).intersection(*limit);
+    limits->box_cuts = true;
+  }
+  limits->inside =
+      widened(shape().inside_within(inside_all_within(clips, clipped), inverted_)).intersection(clipped);
+  if (shape().obeys_clips()) limits->clips = std::move(clips);
+  if (bound_test != BoundTest::kBoxOnly) limits->bounds = std::move(bounds);
+  limits->asks_clips_first = shape().prefers_clipped_range() && !limits->clips.empty();
+  plain_ = limits->clips.empty() && limits->bounds.empty() && !limits->box_cuts;
+  boxes_ = std::move(limits);
+}
+
+Aabb LeafSolid::own_box() const { return shape().bounds(); }
+Aabb LeafSolid::own_inside_box() const { return widened(shape().inside_within(Aabb::infinite(), inverted_)); }
+
 void LeafSolid::hits(const Ray& ray, Interval range, RayKind, Hits& out) const {
+  const SharedSolids* clips = nullptr;
   if (!plain_) {
-    if (box_cuts_ && !meets_box(ray, {0, range.hi}, box)) return;
-    if (!meets_all(bounds_, ray)) return;
-    if (asks_clips_first_ && (range = range_inside_all(clips_, ray, range)).empty()) return;
+    const Limits& limit = limits();
+    if (limit.box_cuts && !meets_box(ray, {0, range.hi}, limit.hits)) return;
+    if (!meets_all(limit.bounds, ray)) return;
+    if (limit.asks_clips_first && (range = range_inside_all(limit.clips, ray, range)).empty()) return;
+    if (!limit.clips.empty()) clips = &limit.clips;
   }
   thread_local ShapeHits found;
   const std::size_t first = found.size();
-  shape_->hits(ray, range, found);
+  shape().hits(ray, range, found);
   // By index: an inside test of a clip may use the list's tail, and so move it.
   for (std::size_t i = first; i < found.size(); ++i) {
     const ShapeHit shape_hit = found[i];
     const dvec3 point = ray.at(shape_hit.t);
-    if (clips_.empty() || inside_all(clips_, point)) out.push_back({shape_hit.t, point, shape_hit, leaf_.get(), nullptr});
+    if (clips == nullptr || inside_all(*clips, point)) out.push_back({shape_hit.t, point, shape_hit, &leaf_, nullptr});
   }
   found.resize(first);
 }
 
 bool LeafSolid::nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) const {
   if (!plain_) return Solid::nearest(ray, range, kind, hit);
-  if (!shape_->nearest(ray, range, hit.shape_hit)) return false;
+  if (!shape().nearest(ray, range, hit.shape_hit)) return false;
   hit.t = hit.shape_hit.t;
   hit.point = ray.at(hit.t);
-  hit.leaf = leaf_.get();
+  hit.leaf = &leaf_;
   hit.cutaway = nullptr;
   return true;
 }
 
 bool LeafSolid::any(const Ray& ray, Interval range, RayKind kind) const {
-  return plain_ ? shape_->any(ray, range) : Solid::any(ray, range, kind);
+  return plain_ ? shape().any(ray, range) : Solid::any(ray, range, kind);
 }
 
 bool LeafSolid::inside(const dvec3& point) const {
-  return inside_shape(point) && (clips_.empty() || inside_all(clips_, point));
+  return inside_shape(point) && (plain_ || inside_all(limits().clips, point));
 }
 
 bool LeafSolid::plain_inside(const dvec3& point) const { return inside_shape(point); }
 
+Aabb LeafSolid::inside_clips(const Aabb& region) const { return plain_ ? region : inside_all_within(limits().clips, region); }
+
 Aabb LeafSolid::hits_within(const Aabb& region) const {
-  const Aabb limits = region.intersection(box);
-  return widened(shape_->surface_within(limits)).intersection(limits);
+  const Aabb within = region.intersection(box());
+  return widened(shape().surface_within(within)).intersection(within);
 }
 
 Aabb LeafSolid::inside_within(const Aabb& region) const {
-  const Aabb limits = region.intersection(inside_box);
-  return widened(shape_->inside_within(inside_all_within(clips_, limits), inverted_)).intersection(limits);
+  const Aabb within = region.intersection(inside_box());
+  return widened(shape().inside_within(inside_clips(within), inverted_)).intersection(within);
 }
 
 Aabb LeafSolid::outside_bounds() const {
-  const bool everywhere = !inverted_ || patch_ || !clips_.empty();
-  return everywhere ? Aabb::infinite() : widened(shape_->inside_bounds());
+  const bool everywhere = !inverted_ || patch_ || (!plain_ && !limits().clips.empty());
+  return everywhere ? Aabb::infinite() : widened(shape().inside_bounds());
 }
 
-void LeafSolid::leaves(std::vector<const Leaf*>& out) const { out.push_back(leaf_.get()); }
+void LeafSolid::leaves(std::vector<const Leaf*>& out) const { out.push_back(&leaf_); }
 
 }  // namespace lute

@@ -23,15 +23,15 @@ enum class BoundTest {
 
 class LeafSolid final : public Solid {
  public:
-  explicit LeafSolid(std::unique_ptr<Leaf> leaf, SharedSolids clips = {}, SharedSolids bounds = {},
+  explicit LeafSolid(Leaf leaf, SharedSolids clips = {}, SharedSolids bounds = {},
                      BoundTest bound_test = BoundTest::kTested, bool box_tested = true);
 
-  const Leaf& leaf() const { return *leaf_; }
+  const Leaf& leaf() const { return leaf_; }
   bool unclipped() const { return plain_; }  // the shape alone decides what is hit, and what is inside
   // Of an unclipped leaf, without the way through the virtual functions of Solid.
-  const Shape& shape() const { return *shape_; }
+  const Shape& shape() const { return *leaf_.shape; }
   bool inside_shape(const dvec3& point) const {
-    return !patch_ && (inverted_ ? shape_->inside_inverted(point) : shape_->inside(point));
+    return !patch_ && (inverted_ ? shape().inside_inverted(point) : shape().inside(point));
   }
 
   void hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const override;
@@ -45,13 +45,23 @@ class LeafSolid final : public Solid {
   Aabb outside_bounds() const override;
 
  private:
-  std::unique_ptr<Leaf> leaf_;
-  const Shape* shape_;
-  SharedSolids clips_, bounds_;
+  struct Limits final : Boxes {
+    SharedSolids clips, bounds;
+    bool asks_clips_first = false;  // for the range in which the shape is searched
+    bool box_cuts = false;          // the box came from the bounds and may be smaller than the shape
+  };
+
+  Aabb own_box() const override;
+  Aabb own_inside_box() const override;
+  void set_limits(SharedSolids clips, SharedSolids bounds, BoundTest bound_test, bool box_tested);
+  const Limits& limits() const { return static_cast<const Limits&>(*boxes_); }  // unless plain_
+  Aabb inside_clips(const Aabb& region) const;
+
   bool inverted_;  // of the inside test; Leaf::inverted says whether the normal is negated
-  bool plain_, patch_;
-  bool asks_clips_first_ = false;  // for the range in which the shape is searched
-  bool box_cuts_ = false;  // `box` came from the bounds and may be smaller than the shape
+  bool patch_;
+  bool plain_ = true;  // has neither clips nor bounds
+  Leaf leaf_;
 };
+static_assert(sizeof(LeafSolid) <= 72);
 
 }  // namespace lute

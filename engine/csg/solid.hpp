@@ -46,18 +46,29 @@ struct PlacedTexture {
   SharedTransform to_world;
 };
 
-// One shape of the built scene and what it looks like.
+// The textures that few leaves have beside their own.
+struct FurtherTextures {
+  PlacedTexture inner;               // interior_texture; null: none
+  std::vector<PlacedTexture> parts;  // what TextureWeight::index selects
+};
+
+// One shape of the built scene and what it looks like. Small, for there may be millions of them.
 struct Leaf {
   std::unique_ptr<Shape> shape;
-  bool inverted = false;
-  bool uv_mapping = false;
-  bool double_illuminate = false;
-  bool opaque = false;                       // no texture of it lets light through: a shadow ray ends here
-  PlacedTexture texture, interior_texture;   // texture null: taken from the cutaway parent, or black
-  std::vector<PlacedTexture> part_textures;  // what TextureWeight::index selects
-  BuiltInterior* interior = nullptr;         // shared by the parts of a CSG
-  int light_group = -1;                      // index into the built scene's groups; -1: none
+  PlacedTexture texture;              // null: taken from the cutaway parent, or black
+  Shared<FurtherTextures> further;
+  BuiltInterior* interior = nullptr;  // shared by the parts of a CSG
+  int light_group = -1;               // index into the built scene's groups; -1: none
   bool global_lights = true;
+  bool inverted : 1 = false;
+  bool uv_mapping : 1 = false;
+  bool double_illuminate : 1 = false;
+  bool opaque : 1 = false;            // no texture of it lets light through: a shadow ray ends here
+
+  bool has_part_textures() const { return !further.is_default() && !further->parts.empty(); }
+  const PlacedTexture& texture_of_side(bool from_inside) const {
+    return from_inside && !further.is_default() && further->inner.texture != nullptr ? further->inner : texture;
+  }
 };
 
 struct Hit {
@@ -83,16 +94,34 @@ class Solid {
   virtual bool plain_inside(const dvec3& point) const = 0;  // without own clips: camera containment, cutaway
   virtual void leaves(std::vector<const Leaf*>& out) const = 0;
 
-  // Boxes around the hits and around the points accepted by inside() that lie in `region`; within `box` and `inside_box`.
+  // Around every hit: bounds after CSG rules, clips and bounded_by.
+  Aabb box() const { return boxes_ != nullptr ? boxes_->hits : own_box(); }
+  // Around every point that inside() accepts.
+  Aabb inside_box() const { return boxes_ != nullptr ? boxes_->inside : own_inside_box(); }
+  // False for some points that inside() refuses: fast where inside() is not.
+  bool may_contain(const dvec3& point) const { return boxes_ == nullptr || boxes_->inside.contains(point); }
+
+  // Boxes around the hits and around the points accepted by inside() that lie in `region`; within box() and inside_box().
   virtual Aabb hits_within(const Aabb& region) const = 0;
   virtual Aabb inside_within(const Aabb& region) const = 0;
   // Box around the points that inside() refuses: finite for what was inverted, the cutters of a difference.
   virtual Aabb outside_bounds() const { return Aabb::infinite(); }
 
+  struct Boxes {
+    Aabb hits, inside = Aabb::infinite();
+    virtual ~Boxes() = default;
+  };
+
+ protected:
+  // Asked where no boxes are kept: of a solid that finds them as fast as it could read them.
+  virtual Aabb own_box() const { return Aabb::infinite(); }
+  virtual Aabb own_inside_box() const { return Aabb::infinite(); }
+
+  std::unique_ptr<Boxes> boxes_;
+
+ public:
   Visibility visibility;
   bool opaque = false;  // every leaf is opaque
-  Aabb box;             // around every hit: bounds after CSG rules, clips and bounded_by
-  Aabb inside_box = Aabb::infinite();  // around every point that inside() accepts
 };
 
 }  // namespace lute

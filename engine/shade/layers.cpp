@@ -83,8 +83,8 @@ bool Shader::add_transmission(Surface& surface, const Finish& top_finish, const 
   const float strongest = std::max({std::abs(filter.r), std::abs(filter.g), std::abs(filter.b)});
   const Transmitted seen = transmitted(surface, top_finish, top_normal, surface.weight * strongest);
   const BuiltInterior& interior = *surface.leaf.interior;
-  Rgb attenuation(interior.refraction);
-  if (std::abs(interior.fade_distance) > kColorEpsilon && surface.in.interiors.contains(&interior))
+  Rgb attenuation(interior.properties->refraction);
+  if (std::abs(interior.properties->fade_distance) > kColorEpsilon && surface.in.interiors.contains(&interior))
     attenuation *= distance_fade(interior, surface.hit.t);
 
   color.rgb += attenuation * seen.color.rgb * (seen.total_reflection || !pigment_found ? Rgb(1.0f) : filter);

@@ -43,9 +43,9 @@ Rgb Shader::reflectivity(const Surface& surface, const LitLayer& layer, float la
 
 double Shader::relative_index(const Surface& surface) const {
   const auto inside = surface.in.interiors.view();
-  const double own = static_cast<double>(surface.leaf.interior->ior);
+  const double own = static_cast<double>(surface.leaf.interior->properties->ior);
   if (inside.empty()) return own;
-  const double outer = static_cast<double>(inside.back()->ior);
+  const double outer = static_cast<double>(inside.back()->properties->ior);
   if (!surface.in.interiors.contains(surface.leaf.interior)) return own / outer;
   return inside.size() == 1 ? 1 / own : outer / own;
 }

@@ -7,23 +7,25 @@
 namespace lute {
 
 Rgb Shader::distance_fade(const BuiltInterior& interior, double length) {
-  const double u = length / static_cast<double>(interior.fade_distance);
-  const Rgb& c = interior.fade_color;
-  if (interior.fade_power >= 1000) {
+  const InteriorProperties& p = *interior.properties;
+  const double u = length / static_cast<double>(p.fade_distance);
+  const Rgb& c = p.fade_color;
+  if (p.fade_power >= 1000) {
     const auto channel = [&](float v) { return static_cast<float>(std::exp(-(1 - static_cast<double>(v)) * u)); };
     return {channel(c.r), channel(c.g), channel(c.b)};
   }
-  const float share = static_cast<float>(1 / (1 + std::pow(u, static_cast<double>(interior.fade_power))));
+  const float share = static_cast<float>(1 / (1 + std::pow(u, static_cast<double>(p.fade_power))));
   return c + share * (Rgb(1.0f) - c);
 }
 
 // §9.1: how the list changes, and the ratio of the indices on both sides.
 Shader::Crossing Shader::cross(const Surface& surface) const {
   const BuiltInterior& own = *surface.leaf.interior;
-  const double own_ior = static_cast<double>(own.ior), own_dispersion = static_cast<double>(own.dispersion);
+  const double own_ior = static_cast<double>(own.properties->ior);
+  const double own_dispersion = static_cast<double>(own.properties->dispersion);
   Crossing c;
   c.interiors = surface.in.interiors;
-  c.samples = own.dispersion_samples;
+  c.samples = own.properties->dispersion_samples;
   if (c.interiors.empty()) {
     c.index = 1 / own_ior;
     c.dispersion = 1 / own_dispersion;
@@ -31,11 +33,11 @@ Shader::Crossing Shader::cross(const Surface& surface) const {
   } else if (c.interiors.back() == &own) {
     c.interiors.remove(&own);
     const BuiltInterior* outer = c.interiors.empty() ? nullptr : c.interiors.back();
-    c.index = own_ior / (outer == nullptr ? 1 : static_cast<double>(outer->ior));
-    c.dispersion = own_dispersion / (outer == nullptr ? 1 : static_cast<double>(outer->dispersion));
-    if (outer != nullptr) c.samples = std::max(c.samples, outer->dispersion_samples);
+    c.index = own_ior / (outer == nullptr ? 1 : static_cast<double>(outer->properties->ior));
+    c.dispersion = own_dispersion / (outer == nullptr ? 1 : static_cast<double>(outer->properties->dispersion));
+    if (outer != nullptr) c.samples = std::max(c.samples, outer->properties->dispersion_samples);
   } else if (!c.interiors.remove(&own)) {
-    const BuiltInterior& outer = *c.interiors.back();
+    const InteriorProperties& outer = *c.interiors.back()->properties;
     c.index = static_cast<double>(outer.ior) / own_ior;
     c.dispersion = static_cast<double>(outer.dispersion) / own_dispersion;
     c.samples = std::max(c.samples, outer.dispersion_samples);

@@ -175,13 +175,13 @@ double index_at(double index, double dispersion, double wavelength);
 // evaluate(const PlacedTexture&, float weight); not at all for a cut surface that no texture covers.
 template <class Evaluate>
 void Shader::for_each_texture(const Hit& hit, const Leaf& leaf, bool from_inside, Evaluate&& evaluate) {
-  if (leaf.part_textures.empty() && (leaf.texture.texture != nullptr || hit.cutaway == nullptr)) {
-    const bool inner = from_inside && leaf.interior_texture.texture != nullptr;
-    const PlacedTexture& texture = inner ? leaf.interior_texture : leaf.texture;
+  const bool has_parts = leaf.has_part_textures();
+  if (!has_parts && (leaf.texture.texture != nullptr || hit.cutaway == nullptr)) {
+    const PlacedTexture& texture = leaf.texture_of_side(from_inside);
     if (texture.texture != nullptr) evaluate(texture, 1.0f);
     return;
   }
-  if (leaf.part_textures.empty()) {
+  if (!has_parts) {
     CsgSolid::CutawayShares& shares = scratch_.shares;
     const std::size_t first = shares.size();
     hit.cutaway->cutaway_shares(hit.point, shares);
@@ -193,15 +193,15 @@ void Shader::for_each_texture(const Hit& hit, const Leaf& leaf, bool from_inside
     shares.resize(first);
     return;
   }
+  const std::vector<PlacedTexture>& parts = leaf.further->parts;
   std::vector<TextureWeight>& weights = scratch_.weights;
   const std::size_t first = weights.size();
   leaf.shape->textures(hit.shape_hit, hit.point, weights);
   const std::size_t end = weights.size();
   for (std::size_t i = first; i < end; ++i) {
     const TextureWeight part = weights[i];
-    const bool own = part.index < leaf.part_textures.size() && leaf.part_textures[part.index].texture != nullptr;
-    const bool inner = from_inside && leaf.interior_texture.texture != nullptr;
-    const PlacedTexture& texture = own ? leaf.part_textures[part.index] : inner ? leaf.interior_texture : leaf.texture;
+    const bool own = part.index < parts.size() && parts[part.index].texture != nullptr;
+    const PlacedTexture& texture = own ? parts[part.index] : leaf.texture_of_side(from_inside);
     if (texture.texture != nullptr) evaluate(texture, part.weight);
   }
   weights.resize(first);

@@ -91,7 +91,8 @@ Rgb Shader::shadow_filter(const Hit& hit, const Ray& ray, const InteriorList& in
     sum += share * texture_filter(*texture.texture, point, outer, leaf, ray.direction, context);
   });
   const BuiltInterior& interior = *leaf.interior;
-  if (interior.fade_power > 0 && std::abs(interior.fade_distance) > kColorEpsilon && interiors.contains(&interior))
+  const InteriorProperties& p = *interior.properties;
+  if (p.fade_power > 0 && std::abs(p.fade_distance) > kColorEpsilon && interiors.contains(&interior))
     sum *= distance_fade(interior, hit.t);
   return sum;
 }
@@ -122,7 +123,7 @@ Rgb Shader::texture_filter(const CompiledTexture& texture, const dvec3& point, c
     return static_cast<float>(1 - n.t) * entry_filter(*n.previous, warped) + static_cast<float>(n.t) * current;
   }
   Rgb filter{1.0f};
-  const float caustics = leaf.interior->caustics;
+  const float caustics = leaf.interior->properties->caustics;
   for (auto layer = texture.layers.rbegin(); layer != texture.layers.rend(); ++layer) {
     Color pigment;
     if (layer->pigment->evaluate(point, context, pigment)) filter *= pass_through(pigment);

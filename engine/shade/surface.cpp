@@ -53,7 +53,7 @@ Color Shader::shade(const TracedRay& ray, const Hit& hit, float weight) {
   face_ray(hit, ray.ray, leaf.uv_mapping || plan_.uv_patterns, surface.context, surface.from_inside);
 
   Color sum;
-  const bool weighted = !leaf.part_textures.empty() || leaf.texture.texture == nullptr;
+  const bool weighted = leaf.has_part_textures() || leaf.texture.texture == nullptr;
   for_each_texture(hit, leaf, surface.from_inside, [&](const PlacedTexture& texture, float share) {
     if (weighted && share < settings_.adc_bailout) return;
     const TextureSpace space{.to_world = &*texture.to_world};

@@ -67,6 +67,7 @@ class SlabBox final : public ScannedShape<SlabBox> {
     }
   }
   bool tests_own_box() const override { return false; }
+  bool finds_bounds_fast() const override { return true; }
 
  private:
   static constexpr std::uint32_t kNone = 6;

@@ -51,6 +51,7 @@ class MeshShape final : public Shape {
 
   Aabb bounds() const override { return to_world_->box(shared_->tree.bounds()); }
   bool is_patch() const override { return is_patch_; }
+  bool finds_bounds_fast() const override { return true; }
 
   bool nearest(const Ray& ray, Interval range, ShapeHit& hit) const override {
     const LocalRay local(ray, range, to_world_);

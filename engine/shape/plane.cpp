@@ -66,6 +66,7 @@ class HalfSpace final : public ScannedShape<HalfSpace> {
   bool inside_inverted(const dvec3& point) const override { return -height(point) < tolerance_; }
   dvec3 normal(const ShapeHit&, const dvec3&) const override { return normal_; }
   bool tests_own_box() const override { return false; }
+  bool finds_bounds_fast() const override { return true; }
 
  private:
   double height(const dvec3& point) const { return glm::dot(normal_, point) - distance_; }

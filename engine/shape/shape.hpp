@@ -94,6 +94,9 @@ class Shape {
   // False for shapes that the reference tests without their own bounding box (sphere, box, plane, poly family).
   virtual bool tests_own_box() const { return true; }
 
+  // True where the boxes of the shape are found as fast as they could be read: nobody needs to keep them.
+  virtual bool finds_bounds_fast() const { return false; }
+
   // True where finding a hit costs so much, and a shorter range so much less, that clips are asked first where along the ray they are.
   virtual bool prefers_clipped_range() const { return false; }
 };

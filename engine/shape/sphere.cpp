@@ -69,6 +69,7 @@ class RoundSphere final : public ScannedShape<RoundSphere> {
     return unit_sphere_uv(glm::normalize(to_world_->inverse_direction(point - center_)));
   }
   bool tests_own_box() const override { return false; }
+  bool finds_bounds_fast() const override { return true; }
 
  private:
   dvec3 center_;
@@ -106,6 +107,7 @@ class Ellipsoid final : public ScannedShape<Ellipsoid> {
     return unit_sphere_uv(glm::normalize(to_world_->inverse_point(point) - sphere_.center));
   }
   bool tests_own_box() const override { return false; }
+  bool finds_bounds_fast() const override { return true; }
 
  private:
   double distance2(const dvec3& point) const {

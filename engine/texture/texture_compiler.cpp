@@ -31,7 +31,7 @@ std::shared_ptr<const InsideTest> TextureCompiler::inside_test(const std::shared
 
 const CompiledPigment* TextureCompiler::pigment(const PigmentPtr& description) {
   if (const auto it = pigments_.find(description.get()); it != pigments_.end()) return it->second.get();
-  kept_.push_back(description);
+  keep_address(description);
   auto compiled = std::make_unique<CompiledPigment>(*description, *this);
   return (pigments_[description.get()] = std::move(compiled)).get();
 }
@@ -40,19 +40,20 @@ const CompiledNormal* TextureCompiler::normal(const NormalPtr& description, bool
   if (description == nullptr) return nullptr;
   const auto key = std::pair<const void*, bool>(description.get(), no_bump_scale);
   if (const auto it = normals_.find(key); it != normals_.end()) return it->second.get();
-  kept_.push_back(description);
+  keep_address(description);
   auto compiled = std::make_unique<CompiledNormal>(*description, no_bump_scale, *this);
   return (normals_[key] = std::move(compiled)).get();
 }
 
 const CompiledTexture* TextureCompiler::texture(const TexturePtr& description) {
   if (const auto it = textures_.find(description.get()); it != textures_.end()) return it->second.get();
-  kept_.push_back(description);
+  keep_address(description);
   auto compiled = std::make_unique<CompiledTexture>();
   compiled->bump_scale = !description->no_bump_scale;
   if (const auto* layers = std::get_if<std::vector<TextureLayer>>(&description->content)) {
+    compiled->layers.reserve(layers->size());
     for (const TextureLayer& layer : *layers) {
-      kept_.push_back(layer.finish);
+      if (kept_.empty() || kept_.back() != layer.finish) kept_.push_back(layer.finish);
       compiled->layers.push_back({pigment(layer.pigment), normal(layer.normal, description->no_bump_scale), layer.finish.get()});
       compiled->opaque = compiled->opaque || compiled->layers.back().pigment->is_opaque();
     }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct TextureSettings {
   int number_of_waves = 10;
   bool quick_colors = false;  // quality 5 and below
   InsideTestMaker inside_test;  // for object patterns; without it nothing is inside
+  // Every description was there before the first one is compiled: no two have the same address, even if they go one by one.
+  bool addresses_differ = false;
 };
 
 class TextureCompiler {
@@ -33,14 +36,19 @@ class TextureCompiler {
 
  private:
   template <class T>
-  using Compiled = std::map<const void*, std::unique_ptr<T>>;
+  using Compiled = std::unordered_map<const void*, std::unique_ptr<T>>;
+
+  void keep_address(const std::shared_ptr<const void>& description) {
+    if (!settings_.addresses_differ) kept_.push_back(description);
+  }
 
   TextureSettings settings_;
   PatternSettings pattern_settings_;
   Compiled<CompiledTexture> textures_;
   Compiled<CompiledPigment> pigments_;
   std::map<std::pair<const void*, bool>, std::unique_ptr<CompiledNormal>> normals_;
-  std::vector<std::shared_ptr<const void>> kept_;  // descriptions whose addresses are keys
+  // Descriptions that compiled forms refer to, and those whose addresses must not be used again.
+  std::vector<std::shared_ptr<const void>> kept_;
 };
 
 }  // namespace lute

@@ -20,9 +20,9 @@ class NoSharing final : public BuildContext {
 
 std::unique_ptr<Solid> sphere(const dvec3& center, double radius, bool opaque = true) {
   NoSharing context;
-  auto leaf = std::make_unique<Leaf>();
-  leaf->shape = build(Sphere{center, radius}, Transform(), context);
-  leaf->opaque = opaque;
+  Leaf leaf;
+  leaf.shape = build(Sphere{center, radius}, Transform(), context);
+  leaf.opaque = opaque;
   return std::make_unique<LeafSolid>(std::move(leaf));
 }
 
@@ -130,8 +130,8 @@ TEST(SceneTree, AxisParallelRaysWithNegativeZeroMeetTheirBoxes) {
 
 std::unique_ptr<Solid> box(const dvec3& lo, const dvec3& hi) {
   NoSharing context;
-  auto leaf = std::make_unique<Leaf>();
-  leaf->shape = build(Box{lo, hi}, Transform(), context);
+  Leaf leaf;
+  leaf.shape = build(Box{lo, hi}, Transform(), context);
   return std::make_unique<LeafSolid>(std::move(leaf));
 }
 
@@ -152,10 +152,10 @@ TEST(SceneTree, SolidsOfHugeVolumeWinTiesLikeUnboundedOnes) {
 
 TEST(SceneTree, UnboundedSolidsAreFoundBehindAndBeforeTheOthers) {
   NoSharing context;
-  auto leaf = std::make_unique<Leaf>();
-  leaf->shape = build(Plane{}, Transform::translate({0, -1, 0}), context);
-  const Leaf* ground = leaf.get();
+  Leaf leaf;
+  leaf.shape = build(Plane{}, Transform::translate({0, -1, 0}), context);
   const LeafSolid plane(std::move(leaf));
+  const Leaf* ground = &plane.leaf();
   Spheres spheres;
   for (int i = 0; i < 20; ++i) spheres.add({2.5 * i, 0, 0}, 1);
   spheres.solids.push_back(&plane);

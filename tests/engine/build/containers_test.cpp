@@ -40,7 +40,7 @@ TEST(Containers, ComeInSceneOrder) {
   const auto plain = built_scene(row_of_balls(false)), indexed = built_scene(row_of_balls(true));
   const auto position = [](const BuiltScene& built, const BuiltInterior* wanted) {
     std::size_t i = 0;
-    while (built.interiors[i].get() != wanted) ++i;
+    while (&built.interiors[i] != wanted) ++i;
     return i;
   };
   for (double x = -2; x < 52; x += 0.37) {

@@ -80,8 +80,8 @@ TEST(Interior, OldFinishFormsReachIt) {  // chapter 11 §11.2
   const auto built = built_scene(scene({b}));
   std::vector<const Leaf*> leaves;
   built->solids.front()->leaves(leaves);
-  EXPECT_FLOAT_EQ(leaves[0]->interior->ior, 1.5f);
-  EXPECT_FLOAT_EQ(leaves[0]->interior->refraction, .5f);
+  EXPECT_FLOAT_EQ(leaves[0]->interior->properties->ior, 1.5f);
+  EXPECT_FLOAT_EQ(leaves[0]->interior->properties->refraction, .5f);
 }
 
 TEST(Union, DissolvesIntoTopLevelObjects) {  // chapter 20 §6.6

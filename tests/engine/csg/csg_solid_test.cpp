@@ -32,10 +32,10 @@ template <class Description>
 std::unique_ptr<Solid> leaf(const Description& description, int color, bool inverted = false, SharedSolids clips = {},
                             SharedSolids bounds = {}) {
   NoCache cache;
-  auto result = std::make_unique<Leaf>();
-  result->shape = build(description, Transform{}, cache);
-  result->inverted = inverted;
-  result->light_group = color;  // any number that tells the leaves apart
+  Leaf result;
+  result.shape = build(description, Transform{}, cache);
+  result.inverted = inverted;
+  result.light_group = color;  // any number that tells the leaves apart
   return std::make_unique<LeafSolid>(std::move(result), std::move(clips), std::move(bounds));
 }
 
@@ -100,8 +100,8 @@ TEST(Csg, DifferenceShowsTheInsideOfTheCutter) {
 TEST(Csg, IntersectionBoxIsThatOfItsUprightChildren) {
   const auto csg = combine(CsgKind::kIntersection, leaf(Sphere{dvec3(0), 1}, kRed), leaf(Plane{{0, 1, 0}, .5}, kGreen),
                            leaf(Sphere{dvec3(0), .1}, kGreen, true));
-  EXPECT_NEAR(csg->box.hi.y, .5, 1e-6);
-  EXPECT_NEAR(csg->box.lo.y, -1, 1e-6);
+  EXPECT_NEAR(csg->box().hi.y, .5, 1e-6);
+  EXPECT_NEAR(csg->box().lo.y, -1, 1e-6);
 }
 
 // Check case 17: what a child's no_image hides.
@@ -109,16 +109,16 @@ TEST(Csg, IntersectionBoxIsThatOfItsUprightChildren) {
 TEST(Csg, PlanesBoundQuadricsAndEachOther) {
   const auto vase = combine(CsgKind::kIntersection, leaf(Quadric{{1, -1, 1}, {0, 0, 0}, {0, 0, 0}, -1}, kRed),
                             leaf(Plane{{0, 1, 0}, 1}, kGreen), leaf(Plane{{0, -1, 0}, 2}, kGreen));
-  EXPECT_NEAR(vase->box.hi.x, std::sqrt(5.0), 1e-6);
-  EXPECT_NEAR(vase->box.lo.z, -std::sqrt(5.0), 1e-6);
-  EXPECT_NEAR(vase->box.lo.y, -2, 1e-6);
-  EXPECT_NEAR(vase->box.hi.y, 1, 1e-6);
+  EXPECT_NEAR(vase->box().hi.x, std::sqrt(5.0), 1e-6);
+  EXPECT_NEAR(vase->box().lo.z, -std::sqrt(5.0), 1e-6);
+  EXPECT_NEAR(vase->box().lo.y, -2, 1e-6);
+  EXPECT_NEAR(vase->box().hi.y, 1, 1e-6);
 
   const auto board = combine(CsgKind::kIntersection, leaf(Plane{{0, 1, 0}, -.15}, kRed), leaf(Plane{{0, -1, 0}, 3}, kRed),
                              leaf(Plane{{0, 0, -1}, 35}, kRed), leaf(Plane{{-1, 0, 1}, 0}, kRed), leaf(Plane{{1, 0, 1}, 0}, kRed));
-  EXPECT_NEAR(board->box.lo.x, -35, 1e-6);
-  EXPECT_NEAR(board->box.hi.x, 35, 1e-6);
-  EXPECT_TRUE(board->box.is_finite());
+  EXPECT_NEAR(board->box().lo.x, -35, 1e-6);
+  EXPECT_NEAR(board->box().hi.x, 35, 1e-6);
+  EXPECT_TRUE(board->box().is_finite());
 }
 
 TEST(Csg, NoImageOfAChild) {
@@ -147,7 +147,7 @@ TEST(Csg, ClippedSolidIsOpen) {
   EXPECT_DOUBLE_EQ(hit.point.z, 1);  // the far side is seen from within
   EXPECT_FALSE(clipped->inside({0, 0, -.5}));
   EXPECT_TRUE(clipped->plain_inside({0, 0, -.5}));
-  EXPECT_NEAR(clipped->box.lo.z, 0, 1e-6);
+  EXPECT_NEAR(clipped->box().lo.z, 0, 1e-6);
 }
 
 // Check case 11: the box of a bound cuts, as soon as boxes are used.
@@ -176,9 +176,9 @@ TEST(Csg, ObjectClippedByAHeightFieldEndsAtTheLowestGround) {
   EXPECT_EQ(seen(clipped, .9, .2), -1);
 
   NoCache cache;
-  auto cube = std::make_unique<Leaf>();
-  cube->shape = build(Box{{.1, -2, .1}, {.95, 2, .9}}, Transform{}, cache);
-  cube->light_group = kGreen;
+  Leaf cube;
+  cube.shape = build(Box{{.1, -2, .1}, {.95, 2, .9}}, Transform{}, cache);
+  cube.light_group = kGreen;
   const LeafSolid alone(std::move(cube), clips, {}, BoundTest::kTested, false);
   EXPECT_EQ(seen(alone, .9, .2), kGreen);
   EXPECT_EQ(seen(alone, .9, .7), -1);

@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include <algorithm>
@@ -178,15 +179,6 @@ class Builder {
 
     const std::size_t index = out.size();
     out.emplace_back();
-    std::array<std::vector<Bvh::Node>, Bvh::kWidth> subtrees;
-    tbb::task_group tasks;
-    for (std::size_t c = 0; c < count; ++c) {
-      if (is_leaf(parts[c]) || parts[c].size() < kParallelSubtree) continue;
-      tasks.run([this, &part = parts[c], &subtree = subtrees[c], depth] {
-        subtree.reserve(enough_nodes(part.size()));
-        node(part, depth + 1, subtree);
-      });
-    }
     for (std::size_t c = 0; c < Bvh::kWidth; ++c) {
       const Box box = c < count ? parts[c].box : Box();
       for (std::size_t a = 0; a < 3; ++a) {
@@ -204,9 +196,29 @@ class Builder {
         node(parts[c], depth + 1, out);
       }
     }
+    for (std::size_t c = 0; c < count;) c = large_subtrees(parts, c, count, depth, index, out);
+  }
+
+  // Builds some of the large subtrees of a node in parallel, from child `c` on; returns where to go on. Each stands in memory twice
+  // until it is in its place, so that there are no more at a time than keep all threads busy.
+  std::size_t large_subtrees(const std::array<Range, Bvh::kWidth>& parts, std::size_t c, std::size_t count, int depth, std::size_t index,
+                             std::vector<Bvh::Node>& out) {
+    const auto most = 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    std::array<std::vector<Bvh::Node>, Bvh::kWidth> subtrees;
+    tbb::task_group tasks;
+    const std::size_t first = c;
+    for (std::size_t begun = 0; c < count && begun < most; ++c) {
+      if (is_leaf(parts[c]) || parts[c].size() < kParallelSubtree) continue;
+      ++begun;
+      tasks.run([this, &part = parts[c], &subtree = subtrees[c], depth] {
+        subtree.reserve(enough_nodes(part.size()));
+        node(part, depth + 1, subtree);
+      });
+    }
     tasks.wait();
-    for (std::size_t c = 0; c < count; ++c)
-      if (!subtrees[c].empty()) out[index].child[c] = append(std::exchange(subtrees[c], {}), out);
+    for (std::size_t i = first; i < c; ++i)
+      if (!subtrees[i].empty()) out[index].child[i] = append(std::exchange(subtrees[i], {}), out);
+    return c;
   }
 
   static std::int32_t append(const std::vector<Bvh::Node>& subtree, std::vector<Bvh::Node>& out) {

@@ -26,26 +26,33 @@ RayKind shadow_ray() {
   return kind;
 }
 
+bool is_unclipped(const Solid& solid) {
+  const auto* leaf = dynamic_cast<const LeafSolid*>(&solid);
+  return leaf != nullptr && leaf->unclipped();
+}
+
+const LeafSolid& as_leaf(const Solid& solid) { return static_cast<const LeafSolid&>(solid); }
+
+// For an entry of the tree, and for a blocker.
+bool stops_shadow_ray(const auto& asked, const Ray& ray, Interval range) {
+  return asked.unclipped ? as_leaf(*asked.solid).shape().any(ray, range) : asked.solid->any(ray, range, shadow_ray());
+}
+
 }  // namespace
 
-AskedSolid::AskedSolid(const Solid& asked) : solid(&asked) {
-  const auto* own = dynamic_cast<const LeafSolid*>(&asked);
-  if (own == nullptr || !own->unclipped()) return;
-  shape = &own->shape();
-  leaf = &own->leaf();
-}
-
-bool AskedSolid::blocks(const Ray& ray, Interval range) const {
-  return shape != nullptr ? shape->any(ray, range) : solid->any(ray, range, shadow_ray());
-}
-
-SceneTree::SceneTree(std::span<const Solid* const> solids) {
+SceneTree::SceneTree(std::size_t size, const std::function<const Solid*(std::size_t)>& solid_at) {
   constexpr std::size_t kFewest = 6;  // below, a tree costs more than it saves
-  const auto count = static_cast<std::uint32_t>(solids.size());
-  std::vector<std::uint32_t> finite;
+  const auto count = static_cast<std::uint32_t>(size);
+  std::size_t finite = 0;
   const auto entry = [&](std::uint32_t i, bool infinite) {
-    const Visibility visibility = solids[i]->visibility;
-    return Entry{solids[i], infinite ? i : count + i, visibility, solids[i]->opaque && !visibility.no_shadow};
+    const Solid* solid = solid_at(i);
+    const Visibility visibility = solid->visibility;
+    return Entry{.solid = solid,
+                 .rank = infinite ? i : count + i,
+                 .visibility = visibility,
+                 .unclipped = is_unclipped(*solid),
+                 .restricted = visibility.restricts(),
+                 .blocks = solid->opaque && !visibility.no_shadow};
   };
   const auto list = [&](const Entry& listed, const Aabb& box) {
     const bool limited = !is_cheap(*listed.solid) && box.half_area() < std::numeric_limits<double>::infinity();
@@ -53,19 +60,24 @@ SceneTree::SceneTree(std::span<const Solid* const> solids) {
     any_boxed_ = any_boxed_ || limited;
   };
   for (std::uint32_t i = 0; i < count; ++i) {
-    const Aabb box = solids[i]->box();
+    const Aabb box = solid_at(i)->box();
     if (box.empty()) continue;
-    if (fits_tree(box)) finite.push_back(i);
+    if (fits_tree(box)) ++finite;
     else list(entry(i, is_infinite(box)), box);
   }
-  if (finite.size() < kFewest) {
-    for (const std::uint32_t i : finite) list(entry(i, is_infinite(solids[i]->box())), solids[i]->box());
+  const auto finite_box = [&](std::size_t i) {
+    const Aabb box = solid_at(i)->box();
+    return fits_tree(box) ? box : Aabb();
+  };
+  if (finite < kFewest) {
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (const Aabb box = finite_box(i); !box.empty()) list(entry(i, is_infinite(box)), box);
     return;
   }
-  bvh_ = Bvh(finite.size(), [&](std::size_t i) { return solids[finite[i]]->box(); });
+  bvh_ = Bvh(count, finite_box);
   const std::vector<std::uint32_t> order = bvh_.take_order();
   bounded_.reserve(order.size());
-  for (const std::uint32_t i : order) bounded_.push_back(entry(finite[i], is_infinite(solids[finite[i]]->box())));
+  for (const std::uint32_t i : order) bounded_.push_back(entry(i, is_infinite(solid_at(i)->box())));
 }
 
 // Calls visit(entry, far) for what the ray may hit before `far`, which visit may lower, until it returns true.
@@ -93,7 +105,7 @@ class SceneTree::Best {
   void ask(const Entry& entry, double& far) {
     if (entry.restricted && !entry.visibility.visible_to(kind_)) return;
     ++asked_;
-    if (entry.asked.shape != nullptr)
+    if (entry.unclipped)
       ask_shape(entry, far);
     else
       ask_solid(entry, far);
@@ -117,21 +129,22 @@ class SceneTree::Best {
   }
 
   void ask_shape(const Entry& entry, double& far) {
-    const Shape& shape = *entry.asked.shape;
+    const LeafSolid& solid = as_leaf(*entry.solid);
+    const Shape& shape = solid.shape();
     ShapeHit candidate;
     if (!shape.nearest(ray_, {near_, far}, candidate)) return;
-    if (at_start(candidate.t, entry.asked.leaf) && !shape.nearest(ray_, {from_.clear, far}, candidate)) return;
+    if (at_start(candidate.t, &solid.leaf()) && !shape.nearest(ray_, {from_.clear, far}, candidate)) return;
     if (!better(candidate.t, entry.rank)) return;
     hit_.t = candidate.t;
     hit_.shape_hit = candidate;
-    hit_.leaf = entry.asked.leaf;
+    hit_.leaf = &solid.leaf();
     hit_.cutaway = nullptr;
     of_shape_ = true;
     take(entry, far);
   }
 
   void ask_solid(const Entry& entry, double& far) {
-    const Solid& solid = *entry.asked.solid;
+    const Solid& solid = *entry.solid;
     Hit candidate;
     if (!solid.nearest(ray_, {near_, far}, kind_, candidate)) return;
     if (at_start(candidate.t, candidate.leaf) && !solid.nearest(ray_, {from_.clear, far}, kind_, candidate)) return;
@@ -173,22 +186,22 @@ bool SceneTree::nearest_shadow(const Ray& ray, Interval range, Hit& hit, Counter
 
 bool SceneTree::blocks(const Entry& entry, const Ray& ray, Interval range, LastBlocker& last, bool& filters,
                        Counters& counters) const {
-  if (entry.visibility.no_shadow || entry.asked.solid == last.asked.solid || (filters && !entry.blocks)) return false;
+  if (entry.visibility.no_shadow || entry.solid == last.solid || (filters && !entry.blocks)) return false;
   ++counters.solid_tests;
-  if (!entry.asked.blocks(ray, range)) return false;
+  if (!stops_shadow_ray(entry, ray, range)) return false;
   if (!entry.blocks) {
     filters = true;
     return false;
   }
-  last = {entry.asked, 0};
+  last = {entry.solid, entry.unclipped, 0};
   return true;
 }
 
 Obstruction SceneTree::obstruction(const Ray& ray, Interval range, LastBlocker& last, Counters& counters) const {
   constexpr int kForgiven = 8;
-  if (last.asked.solid != nullptr) {
+  if (last.solid != nullptr) {
     ++counters.solid_tests;
-    if (last.asked.blocks(ray, range)) {
+    if (stops_shadow_ray(last, ray, range)) {
       last.misses = 0;
       return Obstruction::kOpaque;
     }
@@ -205,7 +218,7 @@ Obstruction SceneTree::obstruction(const Ray& ray, Interval range, LastBlocker& 
     });
   }
   if (opaque) return Obstruction::kOpaque;
-  if (last.asked.solid != nullptr && ++last.misses > kForgiven) last = {};
+  if (last.solid != nullptr && ++last.misses > kForgiven) last = {};
   return filters ? Obstruction::kFilter : Obstruction::kNone;
 }
 

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,22 +20,12 @@ namespace lute {
 // What stands in the way of light.
 enum class Obstruction : std::uint8_t { kNone, kFilter, kOpaque };
 
-// A solid and, if it is an unclipped leaf, its shape: what most scenes are made of is asked without the way through the solid.
-struct AskedSolid {
-  const Solid* solid = nullptr;
-  const Shape* shape = nullptr;
-  const Leaf* leaf = nullptr;  // of the shape
-
-  AskedSolid() = default;
-  explicit AskedSolid(const Solid& asked);
-  bool blocks(const Ray& ray, Interval range) const;  // a shadow ray
-};
-
 // The solid that last stood between a light and some point, asked first for the next point: neighbours have the same
 // blocker more often than not. Whether a ray is blocked does not depend on who is asked first.
 struct LastBlocker {
-  AskedSolid asked;
-  int misses = 0;  // since it last blocked
+  const Solid* solid = nullptr;
+  bool unclipped = false;  // an unclipped leaf
+  int misses = 0;          // since it last blocked
 };
 
 // The surface that a ray leaves: what it meets of this leaf nearer than `clear` is where it starts.
@@ -45,7 +37,10 @@ struct Departure {
 class SceneTree {
  public:
   // In scene order. The solids must outlive the tree, and keep their visibility.
-  explicit SceneTree(std::span<const Solid* const> solids);
+  explicit SceneTree(std::span<const Solid* const> solids)
+      : SceneTree(solids.size(), [&](std::size_t i) { return solids[i]; }) {}
+  explicit SceneTree(std::span<const std::unique_ptr<Solid>> solids)
+      : SceneTree(solids.size(), [&](std::size_t i) { return solids[i].get(); }) {}
 
   bool nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit, Counters& counters,
                const Departure& from = {}) const;
@@ -58,13 +53,13 @@ class SceneTree {
 
  private:
   struct Entry {
-    AskedSolid asked;
+    const Solid* solid;
     std::uint32_t rank;     // of hits at equal depth the lowest wins
     Visibility visibility;  // the solid's own, here so that solids that are left out need not be looked at
+    bool unclipped;         // an unclipped leaf: its shape is asked, without the way through the solid
     bool restricted;        // some kinds of rays do not see it
     bool blocks;            // casts shadows and is opaque
   };
-  static_assert(sizeof(const Solid*) != 8 || sizeof(Entry) == 16);
   struct Listed {
     Entry entry;
     Aabb box;
@@ -72,6 +67,7 @@ class SceneTree {
   };
   class Best;
 
+  SceneTree(std::size_t count, const std::function<const Solid*(std::size_t)>& solid_at);
   template <class Visit>
   void go_through_list(const Ray& ray, Interval& range, Visit&& visit) const;
   bool blocks(const Entry& entry, const Ray& ray, Interval range, LastBlocker& last, bool& filters, Counters& counters) const;

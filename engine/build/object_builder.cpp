@@ -173,9 +173,7 @@ void SceneBuilder::finish() {
     auto& own = built_.light_groups[group].lights;
     own.insert(own.end(), outer.begin(), outer.end());
   }
-  std::vector<const Solid*> solids;
-  for (const auto& solid : built_.solids) solids.push_back(solid.get());
-  built_.tree = std::make_unique<SceneTree>(solids);
+  built_.tree = std::make_unique<SceneTree>(std::span<const std::unique_ptr<Solid>>(built_.solids));
 }
 
 }  // namespace lute

@@ -36,15 +36,11 @@ void scan_sphere(const dvec3& origin, const dvec3& direction, const dvec3& cente
   if (b + half_chord < kMaxDepth) sink((b + half_chord) * scale, 0);
 }
 
-class RoundSphere final : public ScannedShape<RoundSphere> {
+// Small, for there may be millions of them.
+class RoundSphere : public ScannedShape<RoundSphere> {
  public:
-  RoundSphere(const Sphere& sphere, const SharedTransform& to_world)
-      : center_(to_world->point(sphere.center)),
-        radius_(sphere.radius),
-        to_world_(to_world) {
-    if (to_world->kinds & Transform::kUniformScale) radius_ *= std::cbrt(std::abs(glm::determinant(to_world->linear)));
-    const double radius2 = radius_ * radius_;
-    surface_ = kSurface * radius2 + kGrain * glm::length(center_) * std::abs(radius_);
+  RoundSphere(const Sphere& sphere, const Transform& to_world) : center_(to_world.point(sphere.center)), radius_(sphere.radius) {
+    if (to_world.kinds & Transform::kUniformScale) radius_ *= std::cbrt(std::abs(glm::determinant(to_world.linear)));
   }
 
   template <class Sink>
@@ -57,24 +53,43 @@ class RoundSphere final : public ScannedShape<RoundSphere> {
     return {center_ - reach, center_ + reach};
   }
   bool inside(const dvec3& point) const override {
-    const dvec3 q = point - center_;
-    return glm::dot(q, q) < radius_ * radius_ - surface_;
+    const double distance2 = distance2_to(point), radius2 = radius_ * radius_;
+    return distance2 < radius2 && distance2 < radius2 - surface();
   }
   bool inside_inverted(const dvec3& point) const override {
-    const dvec3 q = point - center_;
-    return glm::dot(q, q) > radius_ * radius_ + surface_;
+    const double distance2 = distance2_to(point), radius2 = radius_ * radius_;
+    return distance2 > radius2 && distance2 > radius2 + surface();
   }
   dvec3 normal(const ShapeHit&, const dvec3& point) const override { return (point - center_) / radius_; }
   dvec2 uv(const ShapeHit&, const dvec3& point) const override {
-    return unit_sphere_uv(glm::normalize(to_world_->inverse_direction(point - center_)));
+    return unit_sphere_uv(glm::normalize(point - center_));
   }
   bool tests_own_box() const override { return false; }
   bool finds_bounds_fast() const override { return true; }
 
- private:
+ protected:
   dvec3 center_;
+
+ private:
+  double distance2_to(const dvec3& point) const {
+    const dvec3 q = point - center_;
+    return glm::dot(q, q);
+  }
+  // Squared distances this near to radius² are on the surface: neither inside nor outside.
+  double surface() const { return kSurface * (radius_ * radius_) + kGrain * glm::length(center_) * std::abs(radius_); }
+
   double radius_;
-  double surface_;  // squared distances this near to radius² are on the surface: neither inside nor outside
+};
+
+// A sphere that was moved: uv stays in the space where it was written.
+class MovedSphere final : public RoundSphere {
+ public:
+  MovedSphere(const Sphere& sphere, const SharedTransform& to_world) : RoundSphere(sphere, *to_world), to_world_(to_world) {}
+  dvec2 uv(const ShapeHit&, const dvec3& point) const override {
+    return unit_sphere_uv(glm::normalize(to_world_->inverse_direction(point - center_)));
+  }
+
+ private:
   SharedTransform to_world_;
 };
 
@@ -123,7 +138,8 @@ class Ellipsoid final : public ScannedShape<Ellipsoid> {
 
 std::unique_ptr<Shape> build(const Sphere& sphere, const SharedTransform& to_world, BuildContext&) {
   if (to_world->kinds & (Transform::kScale | Transform::kMatrix)) return std::make_unique<Ellipsoid>(sphere, to_world);
-  return std::make_unique<RoundSphere>(sphere, to_world);
+  if (to_world.identity()) return std::make_unique<RoundSphere>(sphere, *to_world);
+  return std::make_unique<MovedSphere>(sphere, to_world);
 }
 
 }  // namespace lute

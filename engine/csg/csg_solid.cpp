@@ -119,7 +119,11 @@ bool CsgSolid::survives(std::size_t child, const dvec3& point, RayKind kind) con
   if (kind_ == CsgKind::kUnion) return true;
   if (all_children_needed()) {
     bool refused = false;
-    refusals_.around(point, [&](std::uint32_t i) { return refused = i != child && !inside_child(i, point); });
+    refusals_.around(point, [&](std::uint32_t i) {
+      if (i == child || inside_child(i, point)) return false;
+      // Of two equal spheres that cut, or limit, one wall stays: their surface is inside of neither.
+      return refused = leaves_[i] == nullptr || leaves_[child] == nullptr || !leaves_[i]->shares_side(*leaves_[child], point);
+    });
     return !refused;
   }
   bool hidden = false;

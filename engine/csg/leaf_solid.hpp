@@ -33,6 +33,10 @@ class LeafSolid final : public Solid {
   bool inside_shape(const dvec3& point) const {
     return !patch_ && (inverted_ ? shape().inside_inverted(point) : shape().inside(point));
   }
+  // Whether a hit of another leaf, which lies on this surface, lies where both have the same side of it: not outside counts then.
+  bool shares_side(const LeafSolid& other, const dvec3& point) const {
+    return !patch_ && inverted_ == other.inverted_ && !(inverted_ ? shape_->inside(point) : shape_->inside_inverted(point));
+  }
 
   void hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const override;
   bool nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) const override;

@@ -97,6 +97,17 @@ TEST(Csg, DifferenceShowsTheInsideOfTheCutter) {
   EXPECT_TRUE(csg->inside({0, 0, .5}));
 }
 
+// A sphere's surface is inside of neither itself nor its inverse (chapter 20 §5.1), so that of two equal spheres one wall must stay where both
+// cut or both limit, and nothing where one cuts the other. In the reference rounding decides, pixel by pixel.
+TEST(Csg, OfTwoEqualSpheresOneWallStaysAndTheirDifferenceVanishes) {
+  const Sphere ball{{0.1, 0.2, 0.3}, 1};
+  auto cut = combine(CsgKind::kDifference, leaf(Box{dvec3(-3, -3, 0), dvec3(3)}, kRed),
+                     combine(CsgKind::kIntersection, leaf(ball, kGreen, true), leaf(ball, kGreen, true)));
+  EXPECT_EQ(seen(*cut, .2, .3), kGreen);
+  EXPECT_EQ(seen(*combine(CsgKind::kIntersection, leaf(ball, kRed), leaf(ball, kRed)), .2, .3), kRed);
+  EXPECT_EQ(seen(*combine(CsgKind::kDifference, leaf(ball, kRed), leaf(ball, kGreen, true)), .2, .3), -1);
+}
+
 TEST(Csg, IntersectionBoxIsThatOfItsUprightChildren) {
   const auto csg = combine(CsgKind::kIntersection, leaf(Sphere{dvec3(0), 1}, kRed), leaf(Plane{{0, 1, 0}, .5}, kGreen),
                            leaf(Sphere{dvec3(0), .1}, kGreen, true));

@@ -106,7 +106,9 @@ Enclosure integer_power(const Enclosure& a, double n) {
   const Range v = even && contains(value(a), 0) ? outward(0, std::max(p, q)) : outward(std::min(p, q), std::max(p, q));
   const double r = n * std::pow(a.lo, n - 1), s = n * std::pow(a.hi, n - 1);
   const Range d = !even && contains(value(a), 0) ? outward(0, std::max(r, s)) : outward(std::min(r, s), std::max(r, s));
-  return chain(a, v, d);
+  Enclosure result = chain(a, v, d);
+  if (n == 2) result.root_steepest = a.steepest();
+  return result;
 }
 
 }  // namespace
@@ -116,12 +118,23 @@ Enclosure Enclosure::jumping() const { return {lo, hi, -kInfinity, kInfinity}; }
 double Enclosure::steepest() const { return std::max(std::abs(slope_lo), std::abs(slope_hi)); }
 
 Enclosure operator-(const Enclosure& a) { return make(negate(value(a)), negate(slope(a))); }
-Enclosure operator+(const Enclosure& a, const Enclosure& b) { return make(add(value(a), value(b)), add(slope(a), slope(b))); }
+Enclosure operator+(const Enclosure& a, const Enclosure& b) {
+  Enclosure sum = make(add(value(a), value(b)), add(slope(a), slope(b)));
+  const double r = a.root_steepest, s = b.root_steepest;
+  sum.root_steepest = r == 0 ? s : s == 0 ? r : up(std::sqrt(r * r + s * s));
+  return sum;
+}
 Enclosure operator-(const Enclosure& a, const Enclosure& b) { return a + (-b); }
 Enclosure operator*(const Enclosure& a, const Enclosure& b) {
-  if (&a == &b)  // a square: the same number twice
-    return chain(a, square(value(a)), multiply({2, 2}, value(a)));
-  return make(multiply(value(a), value(b)), add(multiply(slope(a), value(b)), multiply(value(a), slope(b))));
+  if (&a == &b) {  // a square: the same number twice
+    Enclosure result = chain(a, square(value(a)), multiply({2, 2}, value(a)));
+    result.root_steepest = a.steepest();
+    return result;
+  }
+  Enclosure result = make(multiply(value(a), value(b)), add(multiply(slope(a), value(b)), multiply(value(a), slope(b))));
+  if (a.is_constant() && a.lo > 0) result.root_steepest = up(std::sqrt(a.lo) * b.root_steepest);
+  if (b.is_constant() && b.lo > 0) result.root_steepest = up(std::sqrt(b.lo) * a.root_steepest);
+  return result;
 }
 Enclosure operator/(const Enclosure& a, const Enclosure& b) {
   const Range inverse = reciprocal(value(b));
@@ -130,7 +143,10 @@ Enclosure operator/(const Enclosure& a, const Enclosure& b) {
 
 Enclosure sqrt(const Enclosure& a) {
   const Range v = root(value(a));
-  return chain(a, v, multiply({0.5, 0.5}, reciprocal({std::max(v.lo, 0.0), v.hi})));
+  Enclosure result = chain(a, v, multiply({0.5, 0.5}, reciprocal({std::max(v.lo, 0.0), v.hi})));
+  result.slope_lo = std::max(result.slope_lo, -a.root_steepest);
+  result.slope_hi = std::min(result.slope_hi, a.root_steepest);
+  return result;
 }
 Enclosure exp(const Enclosure& a) {
   const Range v = rising(a, [](double x) { return std::exp(x); });
@@ -214,7 +230,7 @@ Enclosure enclose(UnaryOp op, const Enclosure& a) {
     case UnaryOp::kInt:
       if (!in(-2147483648.0, 2147483647.0)) return Enclosure::unknown();
       return steps(a, [](double x) { return std::trunc(x); });
-    case UnaryOp::kSqrt: return a.lo < 0 ? Enclosure::unknown() : sqrt(a);
+    case UnaryOp::kSqrt: return a.lo < 0 && !std::isfinite(a.root_steepest) ? Enclosure::unknown() : sqrt(a);
     case UnaryOp::kExp: return exp(a);
     case UnaryOp::kLn:
       if (!(a.lo > 0)) return Enclosure::unknown();

@@ -4,6 +4,8 @@
 // Source: R. E. Moore, R. B. Kearfott, M. J. Cloud, Introduction to Interval Analysis, 2009, chapters 5 and 6.
 #pragma once
 
+#include <limits>
+
 #include "engine/function/program.hpp"
 
 namespace lute {
@@ -12,8 +14,14 @@ struct Enclosure {
   double lo = 0, hi = 0;              // of the value
   double slope_lo = 0, slope_hi = 0;  // of its derivative by the parameter; of a function with kinks, of all difference quotients
 
+  // Of a sum of squares: how steep its root may be. sqrt(x² + y²) is nowhere steeper than (x, y), which the slope of the sum does not tell
+  // where both come near 0. Infinite: not known to be such a sum.
+  double root_steepest = std::numeric_limits<double>::infinity();
+
   Enclosure() = default;
-  Enclosure(double value) : lo(value), hi(value) {}  // a constant; converts, so that formulas may be written as for numbers
+  Enclosure(double value) : lo(value), hi(value) {  // a constant; converts, so that formulas may be written as for numbers
+    if (value >= 0) root_steepest = 0;
+  }
   Enclosure(double low, double high, double slope_low, double slope_high) : lo(low), hi(high), slope_lo(slope_low), slope_hi(slope_high) {}
 
   static Enclosure unknown();

@@ -152,6 +152,24 @@ TEST(ProgramEnclosure, FollowsBothBranchesOfAConditionThatIsNotDecided) {
   EXPECT_NEAR(result.steepest(), 1, 1e-12);
 }
 
+// sqrt(x² + (2 x)²) = √5 |x|: no steeper than √5 across 0 either, where the slope of a root alone is unbounded.
+TEST(ProgramEnclosure, BoundsTheSlopeOfARootOfSquaresAcrossZero) {
+  ExpressionBuilder e;
+  const auto square = [&](ExpressionBuilder::Node a) { return e.binary(BinaryOp::kMultiply, a, a); };
+  const auto x = e.parameter(0);
+  const auto sum = e.binary(BinaryOp::kAdd, square(x), square(e.binary(BinaryOp::kMultiply, e.constant(2), x)));
+  const auto program = e.finish(e.unary(UnaryOp::kSqrt, sum), 1), less = e.finish(e.unary(UnaryOp::kSqrt, e.binary(BinaryOp::kSubtract, sum, e.constant(1))), 1);
+  Enclosure result;
+  const Enclosure across(-1, 2, 1, 1), beyond(0.44, 2, 1, 1);
+  ASSERT_TRUE(program->enclose(&across, result));
+  EXPECT_NEAR(result.slope_lo, -std::sqrt(5.0), 1e-9);
+  EXPECT_NEAR(result.slope_hi, std::sqrt(5.0), 1e-9);
+  EXPECT_LE(result.lo, 0);
+  // The root of 5 x² - 1 stands upright at x = 0.447.
+  ASSERT_TRUE(less->enclose(&beyond, result));
+  EXPECT_EQ(result.steepest(), std::numeric_limits<double>::infinity());
+}
+
 // The sum of i * x for i = 1 to 4 is 10 x.
 TEST(ProgramEnclosure, RunsLoops) {
   ExpressionBuilder e;

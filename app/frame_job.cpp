@@ -3,8 +3,11 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <thread>
+#include <tuple>
+#include <utility>
 
 #include "app/interrupt.hpp"
 #include "app/progress.hpp"
@@ -14,6 +17,7 @@
 #include "engine/plan/render_plan.hpp"
 #include "engine/render/render.hpp"
 #include "engine/render/scene_view.hpp"
+#include "engine/shape/gradient_remark.hpp"
 #include "engine/texture/texture_functions.hpp"
 
 namespace lute {
@@ -53,6 +57,29 @@ std::string summary(const RenderOptions& options, const std::string& path, const
   if (!result.estimated_error) return line;
   std::snprintf(text.data(), text.size(), ", estimated error %.5f", *result.estimated_error);
   return line + text.data();
+}
+
+// What isosurfaces have to say about max_gradient once they have seen all rays: of those that one statement makes, in a loop, the one
+// that was farthest from enough.
+void remark_on_gradients(const BuiltScene& built, const Scene& scene, Console& console) {
+  std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::pair<SourceLocation, GradientRemark>> at_place;
+  for (const auto& [shape, where] : built.isosurfaces) {
+    const GradientRemark remark = gradient_remark(*shape);
+    auto& entry = at_place[{where.file, where.line, where.column}];
+    if (remark.ratio() > entry.second.ratio()) entry = {where, remark};
+  }
+  for (const auto& [key, entry] : at_place) {
+    const auto& [where, remark] = entry;
+    Diagnostic warning;
+    warning.message = remark.text();
+    if (warning.message.empty()) continue;
+    warning.severity = Severity::kWarning;
+    warning.code = "max-gradient";
+    warning.file = where.file < scene.files.size() ? scene.files[where.file] : "";
+    warning.where = where;
+    warning.end_column = where.column;
+    console.diagnostic(warning);
+  }
 }
 
 }  // namespace
@@ -138,6 +165,7 @@ ExitCode render_frame(const RenderOptions& options, const Frame& frame, const st
     write_image(path, film, {settings.gamma_mode, settings.assumed_gamma}, options.output);
   }
   times.write = write_watch.seconds();
+  remark_on_gradients(*built, parsed.scene, console);
   console.line(summary(options, options.output_to_file ? path : "no file", times, result));
   if (options.statistics) std::fputs(statistics_text(result, times, settings.area.pixels()).c_str(), stderr);
   return Interrupt::flag() ? ExitCode::kInterrupted : ExitCode::kDone;

@@ -85,6 +85,13 @@ struct BuiltScene {
   // Interiors of the solids that contain a point, in scene order: where a camera ray starts (chapter 20 §8.1).
   void interiors_at(const dvec3& point, std::vector<const BuiltInterior*>& out) const;
 
+  // The isosurfaces and where they stand in the scene's text, for gradient_remark (engine/shape/gradient_remark.hpp).
+  struct PlacedShape {
+    const Shape* shape;
+    SourceLocation where;
+  };
+  std::vector<PlacedShape> isosurfaces;
+
   Containers containers;  // top-level solids with an inside
 };
 

@@ -78,6 +78,7 @@ std::unique_ptr<Solid> SceneBuilder::leaf(const Object& object, const Context& o
   const AnyShape& shape = *object.shape();
   Leaf leaf;
   leaf.shape = shape.visit([&](const auto& s) { return build(s, own.to_world, shared_); });
+  if (shape.get_if<Isosurface>() != nullptr) built_.isosurfaces.push_back({leaf.shape.get(), object.where});
   leaf.inverted = own.inverted;
   leaf.double_illuminate = own.double_illuminate;
   leaf.interior = own.interior;

@@ -1,10 +1,13 @@
 // Expected numbers: specification chapter 21 §12, check cases named at each test.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "engine/function/function.hpp"
+#include "engine/function/program.hpp"
+#include "engine/shape/gradient_remark.hpp"
 #include "engine/shape/isosurface.hpp"
 #include "engine/shape/parametric.hpp"
 #include "trace.hpp"
@@ -59,6 +62,58 @@ TEST(Isosurface, ContainerCutsAreClosedUnlessOpen) {
 TEST(Isosurface, Transformed) {
   const auto shape = make(iso(tube, 3), Transform::scale({1, 2, 3}).then(Transform::rotate({0, 20, 0})));
   EXPECT_TRACE(*shape, dvec3(.1, .2, -15), kZ, dvec3(.1, .2, -1.157366), dvec3(0.934796, 0.101952, -0.340238));
+}
+
+// x² + y² + z² - 0.25 as a program, whose slope is known: on the surface it is 1, at the corners of the container 2 √3.
+Isosurface known_ball(double max_gradient) {
+  ExpressionBuilder e;
+  const auto square = [&](int axis) { return e.binary(BinaryOp::kMultiply, e.parameter(axis), e.parameter(axis)); };
+  const auto sum = e.binary(BinaryOp::kAdd, e.binary(BinaryOp::kAdd, square(0), square(1)), square(2));
+  Isosurface s;
+  s.function = e.finish(e.binary(BinaryOp::kSubtract, sum, e.constant(0.25)), 3);
+  s.max_gradient = max_gradient;
+  return s;
+}
+
+TEST(Isosurface, NeedsNoMaxGradientWhereTheSlopeOfTheFunctionIsKnown) {
+  const auto enough = make(known_ball(4)), too_small = make(known_ball(0.01));
+  int hits = 0;
+  for (int i = -20; i <= 20; ++i)
+    for (int k = -20; k <= 20; ++k) {
+      const dvec3 from(0.031 * i, 0.031 * k, -5);
+      const auto expected = trace(*enough, from, kZ), found = trace(*too_small, from, kZ);
+      ASSERT_EQ(found.has_value(), expected.has_value()) << i << ' ' << k;
+      if (!expected) continue;
+      ++hits;
+      EXPECT_EQ(found->t, expected->t);
+    }
+  EXPECT_GT(hits, 700);  // π 0.25 of 1.27² are 49 % of 1681 rays
+}
+
+// What is proven grows with the rays that have asked; the hits do not change.
+TEST(Isosurface, HitsDoNotDependOnEarlierRays) {
+  const auto fresh = make(known_ball(0.3)), old = make(known_ball(0.3));
+  for (int i = 0; i < 3000; ++i) trace(*old, {0.6 * std::sin(i), 0.6 * std::cos(1.7 * i), -5}, kZ);
+  for (int i = -20; i <= 20; ++i) {
+    const dvec3 from(0.031 * i, 0.02 * i, -5);
+    const auto expected = trace(*fresh, from, kZ), found = trace(*old, from, kZ);
+    ASSERT_EQ(found.has_value(), expected.has_value()) << i;
+    if (expected) { EXPECT_EQ(found->t, expected->t); }
+  }
+}
+
+// The reference says so of grad = 2.225 and 1.5, and of 3.078 and 10, for rays that see the whole ball.
+TEST(Isosurface, RemarksOnAMaxGradientFarFromTheSlopesThatRaysFind) {
+  const auto remark = [](const Isosurface& s) {
+    const auto shape = make(s);
+    for (int i = -5; i <= 5; ++i) trace(*shape, {0.1 * i, 0.1, -5}, kZ);
+    return gradient_remark(*shape).text();
+  };
+  EXPECT_EQ(remark(known_ball(2)), "");
+  EXPECT_THAT(remark(known_ball(0.5)), testing::HasSubstr("max_gradient of the isosurface was set to 0.500; proofs stand in"));
+  EXPECT_THAT(remark(iso(ball, 0.8)), testing::HasSubstr("may contain holes"));
+  EXPECT_THAT(remark(known_ball(10)), testing::HasSubstr("a smaller one takes less time"));
+  EXPECT_EQ(gradient_remark(*make(known_ball(0.5))).text(), "");  // no ray has asked
 }
 
 // Radii of 1e308, infinity and not a number have ended the search with the stack.

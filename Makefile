@@ -35,8 +35,17 @@ accuracy: setup-test build
 # of the README.
 REPORT_SCENES = scenes/showcase/lute.pov $(addprefix scenes/lecture/,refraction.pov mirror.pov torus.pov brick.pov \
   spotlight.pov filter_transmit.pov csg_difference.pov checker.pov sky_sphere.pov)
+# The same for what scenes set themselves: accuracy of an isosurface, lamps of an area light, sturm.
+SETTINGS = --runs 3 --size 80x60 --into docs/antialiasing.md
+EXACTLY = +A0.05 +R5
 report: setup-test build
 	@build/bin/lute-compare sweep $(REPORT_SCENES) --size 240x180 --output report --into docs/antialiasing.md
+	@build/bin/lute-compare sweep scenes/sweep/isosurface_accuracy.pov $(SETTINGS) --section accuracy --output report/accuracy \
+	  --vary $(foreach v,0.3 0.1 0.03 0.01 0.001 1e-6,'$(EXACTLY) Declare=Accuracy=$(v)')
+	@build/bin/lute-compare sweep scenes/sweep/area_light.pov $(SETTINGS) --section lamps --output report/lamps \
+	  --vary $(foreach v,2 3 5 7 9,'$(EXACTLY) Declare=Lamps=$(v)')
+	@build/bin/lute-compare sweep scenes/sweep/sturm.pov $(SETTINGS) --section sturm --output report/sturm \
+	  --vary $(foreach v,0 1,'$(EXACTLY) Declare=Sturm=$(v)')
 	@chromium-headless-shell --no-sandbox --disable-gpu --hide-scrollbars --window-size=900,420 \
 	  --screenshot=docs/images/error-over-time.png "file://$(CURDIR)/report/lute.pov.svg"
 

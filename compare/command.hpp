@@ -18,6 +18,7 @@ void add_noise_command(CLI::App& app, int& exit_code);
 void add_parse_command(CLI::App& app, int& exit_code);
 void add_speed_command(CLI::App& app, int& exit_code);
 void add_samples_command(CLI::App& app, int& exit_code);
+void add_section_command(CLI::App& app, int& exit_code);
 
 // "160x120" → width and height; throws CLI::ValidationError.
 void parse_size(const std::string& text, int& width, int& height);

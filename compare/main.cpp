@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   lute::compare::add_parse_command(app, exit_code);
   lute::compare::add_speed_command(app, exit_code);
   lute::compare::add_samples_command(app, exit_code);
+  lute::compare::add_section_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -7,6 +7,9 @@
 
 namespace lute::compare {
 
+// That part of `page`. Throws std::runtime_error if it has no such lines.
+std::string section_of(const std::string& page, const std::string& name);
+
 // `page` with that part replaced. Throws std::runtime_error if it has no such lines.
 std::string with_section(const std::string& page, const std::string& name, const std::string& section);
 

@@ -3,6 +3,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -24,6 +25,11 @@ void spread(const std::vector<float>& raw, int channels, Picture& picture) {
 }
 
 }  // namespace
+
+double srgb_encoded(double light) {
+  const double v = std::clamp(light, 0.0, 1.0);
+  return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+}
 
 Picture read_picture(const std::filesystem::path& path) {
   OIIO::ImageSpec configuration;

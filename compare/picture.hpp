@@ -31,6 +31,9 @@ struct Picture {
   }
 };
 
+// Light 0…1 as sRGB files code it (IEC 61966-2-1); what lies outside is clamped.
+double srgb_encoded(double light);
+
 Picture read_picture(const std::filesystem::path& path);
 
 // The colours; the extension chooses the format: single-precision values as they are for .exr, else 8 bits a channel.

@@ -1,9 +1,9 @@
 // The page of a run: a line of totals, then one card for each scene with both pictures, the heat map and the figures.
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
 #include "compare/content_hash.hpp"
+#include "compare/figures.hpp"
 #include "compare/html_text.hpp"
 #include "compare/report.hpp"
 
@@ -30,12 +30,6 @@ figure img{width:100%;display:block;border-radius:5px;background:repeating-conic
 figcaption{font-size:12px;color:var(--soft);margin-top:3px}.none{border:1px dashed var(--line);border-radius:5px;aspect-ratio:4/3;display:grid;place-items:center;color:var(--soft);font-size:12.5px}
 )css";
 
-std::string number(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 const char* tone(SceneState state) {
   if (is_good(state)) return "good";
   return state == SceneState::kUnsupported || state == SceneState::kReferenceTimeout ? "warn" : "bad";
@@ -59,17 +53,17 @@ void write_term(std::ostream& out, const char* name, const std::string& value) {
 void write_figures(std::ostream& out, const SceneComparison& c) {
   out << "<dl>";
   if (c.difference) {
-    write_term(out, "within 2/255", number("%.3f %%", 100 * c.difference->within));
-    write_term(out, "RMSE", number("%.5f", c.difference->rmse));
-    write_term(out, "largest difference", number("%.3f", c.difference->maximum));
-    write_term(out, "8×8 blocks, 98th percentile", number("%.2f/255", c.difference->block98_255));
+    write_term(out, "within 2/255", formatted("%.3f %%", 100 * c.difference->within));
+    write_term(out, "RMSE", formatted("%.5f", c.difference->rmse));
+    write_term(out, "largest difference", formatted("%.3f", c.difference->maximum));
+    write_term(out, "8×8 blocks, 98th percentile", formatted("%.2f/255", c.difference->block98_255));
   }
-  if (c.noise) write_term(out, "reference against itself", "RMSE " + number("%.5f", c.noise->rmse));
+  if (c.noise) write_term(out, "reference against itself", "RMSE " + formatted("%.5f", c.noise->rmse));
   write_term(out, "lute, processor / wall",
-             number("%.2f", c.lute.process.cpu) + " / " + number("%.2f s", c.lute.process.wall));
+             formatted("%.2f", c.lute.process.cpu) + " / " + formatted("%.2f s", c.lute.process.wall));
   write_term(out, "POV-Ray, processor / wall",
-             number("%.2f", c.reference.cpu) + " / " + number("%.2f s", c.reference.wall));
-  if (const auto ratio = c.cpu_ratio()) write_term(out, "processor time, ratio", number("%.3f", *ratio));
+             formatted("%.2f", c.reference.cpu) + " / " + formatted("%.2f s", c.reference.wall));
+  if (const auto ratio = c.cpu_ratio()) write_term(out, "processor time, ratio", formatted("%.3f", *ratio));
   out << "</dl>";
 }
 
@@ -103,9 +97,9 @@ void write_html(std::ostream& out, const std::vector<SceneComparison>& compariso
   for (const auto& [state, count] : summary.counts)
     write_total(out, std::to_string(count), name_of(state), tone(state));
   if (summary.cpu_ratio > 0) {
-    write_total(out, number("%.3f", summary.cpu_ratio),
+    write_total(out, formatted("%.3f", summary.cpu_ratio),
                 "processor time of lute over POV-Ray, geometric mean of matching scenes");
-    write_total(out, number("%.3f", summary.worst_cpu_ratio), "worst ratio of a matching scene");
+    write_total(out, formatted("%.3f", summary.worst_cpu_ratio), "worst ratio of a matching scene");
   }
   out << "</ul>\n";
   for (const SceneComparison* comparison : worst_first(comparisons)) write_card(out, *comparison);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "compare/difference.hpp"
+#include "compare/figures.hpp"
 #include "compare/match.hpp"
 #include "compare/scratch_folder.hpp"
 
@@ -48,8 +49,7 @@ SampleCount count_samples(const SceneFile& scene, const std::string& switches, c
                           const std::string& lute_program, const std::string& reference_program) {
   RenderSettings both = settings;
   both.switches = {"+WT1"};
-  std::istringstream words(switches);
-  for (std::string word; words >> word;) both.switches.push_back(word);
+  for (std::string& word : words_of(switches)) both.switches.push_back(std::move(word));
   const Rendered theirs = rendered(reference_program, scene, both);
   both.switches.push_back("--stats");
   const Rendered ours = rendered(lute_program, scene, both);

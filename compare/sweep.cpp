@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "compare/content_hash.hpp"
+#include "compare/curve_name.hpp"
+#include "compare/figures.hpp"
 #include "compare/scratch_folder.hpp"
 #include "compare/sweep_summary.hpp"
 
@@ -16,11 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kSamplesAcross = 16;
-
-float srgb_encoded(double linear) {
-  const double v = std::clamp(linear, 0.0, 1.0);
-  return static_cast<float>(v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055);
-}
 
 // The mean of each square of samples in linear light, coded as sRGB.
 Picture reduced(const Picture& large, int width, int height) {
@@ -34,24 +31,21 @@ Picture reduced(const Picture& large, int width, int height) {
         for (int c = 0; c < Picture::kChannels; ++c) sums[c] += sample[c];
       }
       constexpr double kCount = kSamplesAcross * kSamplesAcross;
-      for (int c = 0; c < 3; ++c) small.at(x, y)[c] = srgb_encoded(sums[c] / kCount);
+      for (int c = 0; c < 3; ++c) small.at(x, y)[c] = static_cast<float>(srgb_encoded(sums[c] / kCount));
       small.at(x, y)[3] = static_cast<float>(sums[3] / kCount);
     }
   }
   return small;
 }
 
-std::vector<std::string> words(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> result;
-  for (std::string word; stream >> word;) result.push_back(word);
-  return result;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+// ": " and the last line that says something.
+std::string last_line(const std::string& messages) {
+  std::istringstream lines(messages);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find_first_not_of(" \t") != std::string::npos) last = line;
+  }
+  return last.empty() ? "" : ": " + last;
 }
 
 // Renders one point once and adds the times.
@@ -60,11 +54,12 @@ void run_point(SweepPoint& point, const std::string& program, const SceneFile& s
   RenderSettings render_settings;
   render_settings.width = settings.width;
   render_settings.height = settings.height;
-  render_settings.switches = words(point.setting);
+  render_settings.switches = words_of(point.setting);
   render_settings.switches.push_back("+WT1");
   render_settings.time_limit = settings.time_limit;
   const RenderRun run = render(program, scene.path, point.picture, render_settings);
   point.rendered = run.outcome == RenderOutcome::kRendered;
+  if (!point.rendered) point.failure = std::string(name_of(run.outcome)) + last_line(run.messages);
   cpu.push_back(run.process.cpu);
   wall.push_back(run.process.wall);
 }
@@ -79,19 +74,6 @@ void measure_error(SweepPoint& point, const Picture& converged) {
 }
 
 }  // namespace
-
-std::string method_of(const std::string& switches) {
-  bool antialias = false;
-  std::string method = "1";
-  for (const std::string& word : words(switches)) {
-    if (word.rfind("+AM", 0) == 0) {
-      method = word.substr(3);
-    } else if (word.rfind("+A", 0) == 0 && word.rfind("+AG", 0) != 0 && word.rfind("+AE", 0) != 0) {
-      antialias = true;
-    }
-  }
-  return antialias || method == "3" ? "method " + method : "no antialiasing";
-}
 
 void mark_pareto_front(std::vector<SweepPoint>& points) {
   for (SweepPoint& point : points) {
@@ -123,7 +105,9 @@ Picture converged_picture(const SceneFile& scene, const SweepSettings& settings,
 }
 
 Sweep run_sweep(const SceneFile& scene, const SweepSettings& settings, const fs::path& cache_folder) {
-  Sweep sweep{scene, {}, settings.output / (scene.name + ".converged.png")};
+  std::string files = scene.name;
+  std::replace(files.begin(), files.end(), '/', '_');
+  Sweep sweep{scene, {}, settings.output / (files + ".converged.png")};
   const Picture converged = converged_picture(scene, settings, cache_folder);
   write_picture(converged, sweep.converged);
   for (std::size_t i = 0; i < settings.variations.size(); ++i) {
@@ -134,7 +118,7 @@ Sweep run_sweep(const SceneFile& scene, const SweepSettings& settings, const fs:
       if (method_of(settings.variations[i]) == "method 3" && point.program != "lute") continue;
       point.setting = settings.variations[i];
       point.method = method_of(point.setting);
-      point.picture = settings.output / (scene.name + "." + program + "." + std::to_string(i) + ".png");
+      point.picture = settings.output / (files + "." + program + "." + std::to_string(i) + ".png");
       sweep.points.push_back(std::move(point));
     }
   }
@@ -165,13 +149,18 @@ void write_csv(std::ostream& out, const std::vector<Sweep>& sweeps) {
       char figures[120];
       std::snprintf(figures, sizeof figures, "%d,%.4f,%.4f,%.6f,%.5f,%d", point.rendered, point.cpu, point.wall,
                     point.rmse, point.within, point.pareto);
-      out << sweep.scene.name << ',' << point.program << ',' << point.setting << ',' << point.method << ',' << figures
-          << '\n';
+      out << csv_field(sweep.scene.name) << ',' << point.program << ',' << csv_field(point.setting) << ',' << point.method << ','
+          << figures << '\n';
     }
   }
 }
 
-nlohmann::json to_json(const std::vector<Sweep>& sweeps, const std::string& machine) {
+std::string SweepCircumstances::text() const {
+  return machine + ", " + size + " pixels, one thread, medians of " + std::to_string(runs) + (runs == 1 ? " run" : " runs") + ". " +
+         lute_version + ", " + reference_version + ".";
+}
+
+nlohmann::json to_json(const std::vector<Sweep>& sweeps, const SweepCircumstances& circumstances) {
   nlohmann::json scenes = nlohmann::json::array();
   for (const Sweep& sweep : sweeps) {
     nlohmann::json points = nlohmann::json::array();
@@ -180,6 +169,7 @@ nlohmann::json to_json(const std::vector<Sweep>& sweeps, const std::string& mach
                         {"switches", p.setting},
                         {"method", p.method},
                         {"rendered", p.rendered},
+                        {"failure", p.failure},
                         {"cpu", p.cpu},
                         {"wall", p.wall},
                         {"rmse", p.rmse},
@@ -195,7 +185,16 @@ nlohmann::json to_json(const std::vector<Sweep>& sweeps, const std::string& mach
     }
     scenes.push_back({{"scene", sweep.scene.name}, {"points", points}, {"at_equal_error", pairs}});
   }
-  return {{"machine", machine}, {"scenes", scenes}};
+  return {{"machine", circumstances.machine},
+          {"size", circumstances.size},
+          {"runs", circumstances.runs},
+          {"lute", circumstances.lute_version},
+          {"reference", circumstances.reference_version},
+          {"scenes", scenes}};
+}
+
+SweepCircumstances circumstances_of(const nlohmann::json& report) {
+  return {report.at("machine"), report.at("size"), report.at("runs"), report.at("lute"), report.at("reference")};
 }
 
 std::vector<Sweep> from_json(const nlohmann::json& report) {
@@ -204,8 +203,8 @@ std::vector<Sweep> from_json(const nlohmann::json& report) {
     Sweep sweep;
     sweep.scene.name = scene.at("scene");
     for (const nlohmann::json& p : scene.at("points")) {
-      sweep.points.push_back({p.at("program"), p.at("switches"), p.at("method"), p.at("rendered"), p.at("cpu"), p.at("wall"),
-                              p.at("rmse"), p.at("within"), p.at("pareto"), {}, {}});
+      sweep.points.push_back({p.at("program"), p.at("switches"), p.at("method"), p.at("rendered"), p.at("failure"), p.at("cpu"),
+                              p.at("wall"), p.at("rmse"), p.at("within"), p.at("pareto"), {}, {}});
     }
     sweeps.push_back(std::move(sweep));
   }

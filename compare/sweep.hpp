@@ -30,13 +30,23 @@ struct SweepSettings {
 struct SweepPoint {
   std::string program;  // "lute" or "POV-Ray"
   std::string setting;  // the switches
-  std::string method;   // "no antialiasing", "method 1" …: the points of a program and a method make one curve
+  std::string method;   // "no antialiasing", "method 1" …: as method_of() has it
   bool rendered = false;
+  std::string failure;  // why it was not
   double cpu = 0, wall = 0;  // seconds, medians
   double rmse = 0;           // against the converged picture, coded values 0…1
   double within = 0;         // share of pixels within 2/255 of it
   bool pareto = false;       // no other point is both faster and better
   std::filesystem::path picture, heat_map;
+};
+
+// What a table has to say about its figures.
+struct SweepCircumstances {
+  std::string machine, size;  // "160x120"
+  int runs = 0;
+  std::string lute_version, reference_version;
+
+  std::string text() const;  // one sentence or two
 };
 
 struct Sweep {
@@ -52,12 +62,12 @@ Picture converged_picture(const SceneFile& scene, const SweepSettings& settings,
 Sweep run_sweep(const SceneFile& scene, const SweepSettings& settings, const std::filesystem::path& cache_folder);
 
 void mark_pareto_front(std::vector<SweepPoint>& points);
-std::string method_of(const std::string& switches);
 
 void write_csv(std::ostream& out, const std::vector<Sweep>& sweeps);
-nlohmann::json to_json(const std::vector<Sweep>& sweeps, const std::string& machine);
-// The figures of what to_json wrote; no pictures. Throws nlohmann::json::exception where it is something else.
+nlohmann::json to_json(const std::vector<Sweep>& sweeps, const SweepCircumstances& circumstances);
+// The figures of what to_json wrote; no pictures. Both throw nlohmann::json::exception where it is something else.
 std::vector<Sweep> from_json(const nlohmann::json& report);
+SweepCircumstances circumstances_of(const nlohmann::json& report);
 void write_html(std::ostream& out, const std::vector<Sweep>& sweeps, const std::string& machine);
 
 }  // namespace lute::compare

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <map>
 
+#include "compare/curve_name.hpp"
+#include "compare/figures.hpp"
 #include "compare/html_text.hpp"
 
 namespace lute::compare {
@@ -19,13 +20,7 @@ constexpr const char* kCurveColours[] = {"#2f6fd0", "#d0602f", "#2f9e62", "#9b4f
 constexpr double kWidth = 900, kHeight = 420, kLeft = 70, kRight = 200, kTop = 16, kBottom = 46;
 constexpr double kSmallest = 1e-5;  // an error of 0 has no place on a logarithmic axis
 
-std::string number(const char* format, double value) {
-  char text[48];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-// A logarithmic axis over whole decades' halves around the data.
+// A logarithmic axis over the data and 0.15 decades more at both ends.
 struct Axis {
   double low = 0, high = 1;  // log10
   double from = 0, to = 1;   // in the picture
@@ -55,15 +50,15 @@ void for_each_tick(const Axis& axis, Draw draw) {
 
 void write_grid(std::ostream& out, const Axis& x, const Axis& y) {
   for_each_tick(x, [&](double value) {
-    const std::string at = number("%.1f", x.place(value));
+    const std::string at = formatted("%.1f", x.place(value));
     out << "<line class='grid' x1='" << at << "' x2='" << at << "' y1='" << kTop << "' y2='" << kHeight - kBottom
-        << "'/><text x='" << at << "' y='" << kHeight - kBottom + 16 << "' text-anchor='middle'>" << number("%g", value)
+        << "'/><text x='" << at << "' y='" << kHeight - kBottom + 16 << "' text-anchor='middle'>" << formatted("%g", value)
         << "</text>";
   });
   for_each_tick(y, [&](double value) {
-    const std::string at = number("%.1f", y.place(value));
+    const std::string at = formatted("%.1f", y.place(value));
     out << "<line class='grid' y1='" << at << "' y2='" << at << "' x1='" << kLeft << "' x2='" << kWidth - kRight
-        << "'/><text x='" << kLeft - 8 << "' y='" << at << "' dy='4' text-anchor='end'>" << number("%g", value)
+        << "'/><text x='" << kLeft - 8 << "' y='" << at << "' dy='4' text-anchor='end'>" << formatted("%g", value)
         << "</text>";
   });
   out << "<text x='" << (kLeft + kWidth - kRight) / 2 << "' y='" << kHeight - 8
@@ -75,7 +70,7 @@ std::string path_of(const std::vector<const SweepPoint*>& points, const Axis& x,
   std::string path;
   for (const SweepPoint* point : points) {
     path +=
-        (path.empty() ? "M" : "L") + number("%.1f", x.place(point->cpu)) + " " + number("%.1f", y.place(point->rmse));
+        (path.empty() ? "M" : "L") + formatted("%.1f", x.place(point->cpu)) + " " + formatted("%.1f", y.place(point->rmse));
   }
   return path;
 }
@@ -85,8 +80,8 @@ void write_curve(std::ostream& out, const std::string& name, const std::vector<c
   const char* colour = kCurveColours[index % std::size(kCurveColours)];
   out << "<path fill='none' stroke-width='2' stroke='" << colour << "' d='" << path_of(points, x, y) << "'/>";
   for (const SweepPoint* point : points) {
-    out << "<circle r='4.5' fill='" << colour << "' cx='" << number("%.1f", x.place(point->cpu)) << "' cy='"
-        << number("%.1f", y.place(point->rmse)) << "'><title>" << html_text(point->program + " " + point->setting)
+    out << "<circle r='4.5' fill='" << colour << "' cx='" << formatted("%.1f", x.place(point->cpu)) << "' cy='"
+        << formatted("%.1f", y.place(point->rmse)) << "'><title>" << html_text(point->program + " " + point->setting)
         << "</title></circle>";
   }
   const double row = kTop + 14 + 22 * static_cast<double>(index);
@@ -104,7 +99,7 @@ void write_chart(std::ostream& out, const Sweep& sweep) {
     if (!point.rendered) continue;
     times.push_back(point.cpu);
     errors.push_back(point.rmse);
-    curves[point.program + ", " + point.method].push_back(&point);
+    curves[point.program + ", " + curve_of(point.setting)].push_back(&point);
     if (point.pareto) front.push_back(&point);
   }
   if (times.empty()) return;

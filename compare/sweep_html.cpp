@@ -1,8 +1,7 @@
 // The page of a sweep: for each scene a log–log chart of error over processor time with the Pareto front, a table of
 // the points, and the pictures behind them.
-#include <cstdio>
-
 #include "compare/content_hash.hpp"
+#include "compare/figures.hpp"
 #include "compare/html_text.hpp"
 #include "compare/sweep_chart.hpp"
 #include "compare/sweep_summary.hpp"
@@ -22,12 +21,6 @@ table{border-collapse:collapse;width:100%;font-size:13px;margin:10px 0}th{text-a
 .pictures{display:grid;grid-template-columns:repeat(auto-fill,minmax(150px,1fr));gap:10px;margin-top:10px}figure{margin:0}figure img{width:100%;border-radius:4px;display:block}figcaption{font-size:11.5px;color:var(--soft);overflow-wrap:anywhere}
 )css";
 
-std::string number(const char* format, double value) {
-  char text[48];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 void write_figure(std::ostream& out, const std::filesystem::path& picture, const std::string& caption) {
   if (picture.empty()) return;
   out << "<figure><img loading=lazy alt=\"\" src=\"data:image/png;base64," << base64(read_file(picture))
@@ -40,11 +33,11 @@ void write_points(std::ostream& out, const Sweep& sweep) {
   for (const SweepPoint& p : sweep.points) {
     out << "<tr><td>" << p.program << "<td>" << html_text(p.setting);
     if (p.rendered) {
-      out << "<td class=n>" << number("%.3f", p.cpu) << "<td class=n>" << number("%.3f", p.wall) << "<td class=n>"
-          << number("%.5f", p.rmse) << "<td class=n>" << number("%.2f %%", 100 * p.within) << "<td>"
+      out << "<td class=n>" << formatted("%.3f", p.cpu) << "<td class=n>" << formatted("%.3f", p.wall) << "<td class=n>"
+          << formatted("%.5f", p.rmse) << "<td class=n>" << formatted("%.2f %%", 100 * p.within) << "<td>"
           << (p.pareto ? "yes" : "");
     } else {
-      out << "<td colspan=5>not rendered";
+      out << "<td colspan=5>not rendered: " << html_text(p.failure);
     }
     out << "</tr>";
   }
@@ -64,9 +57,9 @@ void write_equal_errors(std::ostream& out, const Sweep& sweep) {
   out << "<table><tr><th>at the error of POV-Ray with<th class=n>RMSE<th class=n>its processor s<th class=n>+AM3 "
          "s<th class=n>share</tr>";
   for (const EqualError& pair : pairs) {
-    out << "<tr><td>" << html_text(pair.setting) << "<td class=n>" << number("%.5f", pair.rmse) << "<td class=n>"
-        << number("%.3f", pair.reference_cpu) << "<td class=n>" << number("%.3f", pair.own_cpu) << "<td class=n>"
-        << number("%.2f", pair.share()) << "</tr>";
+    out << "<tr><td>" << html_text(pair.setting) << "<td class=n>" << formatted("%.5f", pair.rmse) << "<td class=n>"
+        << formatted("%.3f", pair.reference_cpu) << "<td class=n>" << formatted("%.3f", pair.own_cpu) << "<td class=n>"
+        << formatted("%.2f", pair.share()) << "</tr>";
   }
   out << "</table>";
 }

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "compare/figures.hpp"
+
 namespace lute::compare {
 
 namespace {
 
-std::vector<const SweepPoint*> curve_of(const Sweep& sweep, const std::string& program, const std::string& method) {
+std::vector<const SweepPoint*> points_of(const Sweep& sweep, const std::string& program, const std::string& method) {
   std::vector<const SweepPoint*> curve;
   for (const SweepPoint& point : sweep.points) {
     if (point.rendered && point.program == program && point.method == method) curve.push_back(&point);
@@ -41,39 +43,52 @@ std::optional<double> time_at_error(std::vector<const SweepPoint*> curve, double
 }
 
 std::vector<EqualError> at_equal_error(const Sweep& sweep) {
-  const std::vector<const SweepPoint*> own = curve_of(sweep, "lute", "method 3");
+  const std::vector<const SweepPoint*> own = points_of(sweep, "lute", "method 3");
   std::vector<EqualError> result;
-  for (const SweepPoint* point : front_of(curve_of(sweep, "POV-Ray", "method 2"))) {
+  for (const SweepPoint* point : front_of(points_of(sweep, "POV-Ray", "method 2"))) {
     const std::optional<double> time = time_at_error(own, point->rmse);
     if (time && point->cpu > 0) result.push_back({point->setting, point->rmse, point->cpu, *time});
   }
   return result;
 }
 
-std::optional<double> time_share(const Sweep& sweep) {
+namespace {
+
+std::vector<double> shares_of(const Sweep& sweep) {
   std::vector<double> shares;
   for (const EqualError& pair : at_equal_error(sweep)) shares.push_back(pair.share());
-  if (shares.empty()) return std::nullopt;
-  std::sort(shares.begin(), shares.end());
-  const std::size_t middle = shares.size() / 2;
-  return shares.size() % 2 == 1 ? shares[middle] : 0.5 * (shares[middle - 1] + shares[middle]);
+  return shares;
+}
+
+}  // namespace
+
+std::optional<double> time_share(const Sweep& sweep) {
+  const std::vector<double> shares = shares_of(sweep);
+  return shares.empty() ? std::nullopt : std::optional(median(shares));
+}
+
+std::optional<double> largest_share(const Sweep& sweep) {
+  const std::vector<double> shares = shares_of(sweep);
+  return shares.empty() ? std::nullopt : std::optional(*std::max_element(shares.begin(), shares.end()));
 }
 
 std::string summary(const std::vector<Sweep>& sweeps) {
-  int compared = 0, half = 0;
+  int compared = 0, in_every = 0, in_median = 0;
   for (const Sweep& sweep : sweeps) {
     const std::optional<double> share = time_share(sweep);
     if (!share) continue;
     ++compared;
-    half += *share <= 0.5 ? 1 : 0;
+    in_median += *share <= 0.5 ? 1 : 0;
+    in_every += *largest_share(sweep) <= 0.5 ? 1 : 0;
   }
   if (compared == 0) return "";
-  return "+AM3 needs at most half of the processor time of POV-Ray's +AM2 at equal error on " + std::to_string(half) +
-         " of " + std::to_string(compared) + " scenes.";
+  return "At equal error +AM3 needs at most half of the processor time of POV-Ray's +AM2 in every setting compared on " +
+         std::to_string(in_every) + " of " + std::to_string(compared) +
+         " scenes, in the middle one of the settings of a scene (their median) on " + std::to_string(in_median) + ".";
 }
 
-void write_markdown(std::ostream& out, const std::vector<Sweep>& sweeps, const std::string& machine) {
-  out << machine << "\n\n"
+void write_markdown(std::ostream& out, const std::vector<Sweep>& sweeps, const std::string& circumstances) {
+  out << circumstances << "\n\n"
       << summary(sweeps) << "\n\n"
       << "| scene | POV-Ray's switches | error (RMSE) | POV-Ray, s | `+AM3` at that error, s | share | median of the scene |\n"
       << "|---|---|---:|---:|---:|---:|---:|\n";
@@ -89,6 +104,20 @@ void write_markdown(std::ostream& out, const std::vector<Sweep>& sweeps, const s
     for (const EqualError& pair : pairs) {
       std::snprintf(text, sizeof text, " | %.4f | %.3f | %.3f | %.2f | ", pair.rmse, pair.reference_cpu, pair.own_cpu, pair.share());
       out << "| " << sweep.scene.name << " | `" << pair.setting << '`' << text << (&pair == &pairs.front() ? median : "") << " |\n";
+    }
+  }
+}
+
+void write_points(std::ostream& out, const std::vector<Sweep>& sweeps, const std::string& circumstances) {
+  out << circumstances << "\n\n| scene | settings | program | error (RMSE) | processor s | front |\n|---|---|---|---:|---:|---|\n";
+  for (const Sweep& sweep : sweeps) {
+    for (const SweepPoint& point : sweep.points) {
+      out << "| " << sweep.scene.name << " | `" << point.setting << "` | " << point.program << " | ";
+      if (point.rendered) {
+        out << formatted("%.4f", point.rmse) << " | " << formatted("%.3f", point.cpu) << " | " << (point.pareto ? "yes" : "") << " |\n";
+      } else {
+        out << point.failure << " | | |\n";
+      }
     }
   }
 }

@@ -26,11 +26,16 @@ std::optional<double> time_at_error(std::vector<const SweepPoint*> curve, double
 std::vector<EqualError> at_equal_error(const Sweep& sweep);
 // The median share; none if no point can be compared.
 std::optional<double> time_share(const Sweep& sweep);
+// The largest share; none if no point can be compared.
+std::optional<double> largest_share(const Sweep& sweep);
 
-// "+AM3 needs at most half of the processor time of POV-Ray's +AM2 at equal error on 8 of 10 scenes."
+// "At equal error +AM3 needs at most half of the processor time of POV-Ray's +AM2 in every setting compared on 3 of 10 scenes, in the
+// middle one of the settings of a scene (their median) on 8." Empty without a comparison.
 std::string summary(const std::vector<Sweep>& sweeps);
 
 // The summary and a table of all that is compared at equal error, for a page in docs/.
-void write_markdown(std::ostream& out, const std::vector<Sweep>& sweeps, const std::string& machine);
+void write_markdown(std::ostream& out, const std::vector<Sweep>& sweeps, const std::string& circumstances);
+// A table of every point, for a page in docs/.
+void write_points(std::ostream& out, const std::vector<Sweep>& sweeps, const std::string& circumstances);
 
 }  // namespace lute::compare

@@ -1,23 +1,20 @@
 // lute-accuracy FILE [CASES]: renders every case of the table in tests/extreme with lute and with POV-Ray, and replaces
-// the table between the two marks in FILE (docs/accuracy.md) with what came out. With CASES, a regular expression, only those and
+// the section "cases" of FILE (docs/accuracy.md) with what came out. With CASES, a regular expression, only those and
 // new ones; the other rows stay.
 #include <cstdio>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "compare/content_hash.hpp"
+#include "compare/page_section.hpp"
 #include "tests/extreme/extreme_case.hpp"
 
 namespace lute::extreme {
 namespace {
-
-constexpr const char* kBegin = "<!-- cases: written by lute-accuracy -->\n";
-constexpr const char* kEnd = "<!-- end of cases -->\n";
 
 std::string share(const Measured& measured) {
   if (!measured.failure.empty()) return measured.failure;
@@ -70,13 +67,8 @@ std::string table(const std::string& before, const std::regex& again) {
 }
 
 void rewrite(const char* path, const char* again) {
-  std::ifstream in(path);
-  const std::string text(std::istreambuf_iterator<char>(in), {});
-  const std::size_t begin = text.find(kBegin), end = text.find(kEnd);
-  if (begin == std::string::npos || end == std::string::npos) throw std::runtime_error("no marks in the file");
-  const std::string whole = text.substr(0, begin) + kBegin + "\n" +
-                            table(text.substr(begin, end - begin), std::regex(again)) + "\n" + text.substr(end);
-  std::ofstream(path) << whole;
+  const std::string before = compare::section_of(compare::read_file(path), "cases");
+  compare::replace_section(path, "cases", table(before, std::regex(again)));
 }
 
 }  // namespace

@@ -30,15 +30,6 @@ TEST(Sweep, ParetoFrontHoldsWhatNothingBeatsInBoth) {
   EXPECT_FALSE(points[4].pareto);
 }
 
-TEST(Sweep, NamesTheMethodOfTheSwitches) {
-  EXPECT_EQ(method_of("-A"), "no antialiasing");
-  EXPECT_EQ(method_of("+A0.3"), "method 1");
-  EXPECT_EQ(method_of("+AM2 +A0.1 +R3"), "method 2");
-  EXPECT_EQ(method_of("+AM3"), "method 3");
-  EXPECT_EQ(method_of("+AM3 +AE0.01"), "method 3");
-  EXPECT_EQ(method_of("+AM2 -A"), "no antialiasing");
-}
-
 // Halfway on the log–log chart between (1 s, 0.1) and (4 s, 0.025) lies (2 s, 0.05).
 TEST(Sweep, TimeAtAnErrorLiesOnTheChartsLine) {
   const SweepPoint cheap = point(1, 0.1), dear = point(4, 0.025), useless = point(3, 0.2);
@@ -50,18 +41,26 @@ TEST(Sweep, TimeAtAnErrorLiesOnTheChartsLine) {
   EXPECT_FALSE(time_at_error({}, 0.1));
 }
 
-TEST(Sweep, SummaryCountsScenesWithHalfTheTime) {
-  const auto sweep_with = [](double own_cpu) {
-    SweepPoint theirs = point(2, 0.05), ours = point(own_cpu, 0.05);
-    theirs.program = "POV-Ray";
-    theirs.method = "method 2";
-    ours.method = "method 3";
-    Sweep sweep;
-    sweep.points = {theirs, ours};
-    return sweep;
-  };
-  EXPECT_DOUBLE_EQ(time_share(sweep_with(0.5)).value(), 0.25);
-  EXPECT_NE(summary({sweep_with(0.5), sweep_with(1.5)}).find("on 1 of 2 scenes"), std::string::npos);
+// Two settings of POV-Ray, at errors of 0.05 and 0.02, of 2 s each; +AM3 needs `at_first` and `at_second` seconds for them.
+Sweep sweep_with(double at_first, double at_second) {
+  SweepPoint theirs = point(2, 0.05), theirs_better = point(2.5, 0.02), ours = point(at_first, 0.05), ours_better = point(at_second, 0.02);
+  for (SweepPoint* p : {&theirs, &theirs_better}) {
+    p->program = "POV-Ray";
+    p->method = "method 2";
+  }
+  ours.method = ours_better.method = "method 3";
+  Sweep sweep;
+  sweep.points = {theirs, theirs_better, ours, ours_better};
+  return sweep;
+}
+
+TEST(Sweep, SummaryNamesItsRule) {
+  EXPECT_DOUBLE_EQ(time_share(sweep_with(0.5, 1)).value(), (0.25 + 0.4) / 2);
+  EXPECT_DOUBLE_EQ(largest_share(sweep_with(0.5, 1)).value(), 0.4);
+  // The first is below a half in both settings, the second in the mean of the two alone, the third in none.
+  const std::string text = summary({sweep_with(0.5, 1), sweep_with(0.5, 1.5), sweep_with(1.5, 2)});
+  EXPECT_NE(text.find("in every setting compared on 1 of 3 scenes"), std::string::npos) << text;
+  EXPECT_NE(text.find("(their median) on 2."), std::string::npos) << text;
   EXPECT_EQ(summary({Sweep{}}), "");
 }
 
@@ -82,9 +81,11 @@ TEST(Sweep, ReadsItsOwnReport) {
   Sweep sweep;
   sweep.scene.name = "a.pov";
   sweep.points = {point(1, 0.1), point(0, 0, false)};
-  const std::vector<Sweep> read = from_json(to_json({sweep}, "A machine."));
-  ASSERT_EQ(read.size(), 1u);
-  EXPECT_EQ(to_json(read, "A machine."), to_json({sweep}, "A machine."));
+  sweep.points[1].failure = "timeout";
+  const SweepCircumstances circumstances{"A machine", "240x180", 3, "lute 1", "POV-Ray 3.7"};
+  const nlohmann::json report = to_json({sweep}, circumstances);
+  EXPECT_EQ(to_json(from_json(report), circumstances_of(report)), report);
+  EXPECT_EQ(circumstances_of(report).text(), "A machine, 240x180 pixels, one thread, medians of 3 runs. lute 1, POV-Ray 3.7.");
 }
 
 // +AM3 takes 1 s for an error of 0.1, POV-Ray 4 s.
@@ -98,8 +99,30 @@ TEST(Sweep, TablesTimesAtEqualError) {
   sweep.points[1].setting = "+AM2";
   std::ostringstream page;
   write_markdown(page, {sweep}, "A machine.");
-  EXPECT_NE(page.str().find("on 1 of 1 scenes"), std::string::npos);
+  EXPECT_NE(page.str().find("on 1 of 1 scenes, in the middle"), std::string::npos);
   EXPECT_NE(page.str().find("| a.pov | `+AM2` | 0.1000 | 4.000 | 1.000 | 0.25 | **0.25** |"), std::string::npos);
+}
+
+TEST(Sweep, TablesPointsWithoutAComparison) {
+  Sweep sweep;
+  sweep.scene.name = "a.pov";
+  sweep.points = {point(1, 0.1), point(0, 0, false)};
+  sweep.points[0].pareto = true;
+  sweep.points[1].failure = "timeout";
+  std::ostringstream page;
+  write_points(page, {sweep}, "A machine.");
+  EXPECT_NE(page.str().find("| a.pov | `+A0.3` | lute | 0.1000 | 1.000 | yes |"), std::string::npos);
+  EXPECT_NE(page.str().find("| a.pov | `+A0.3` | lute | timeout | | |"), std::string::npos);
+}
+
+TEST(Sweep, QuotesFieldsOfItsCsv) {
+  Sweep sweep;
+  sweep.scene.name = "a,b.pov";
+  sweep.points = {point(1, 0.1)};
+  sweep.points[0].setting = "Declare=A=\"x\"";
+  std::ostringstream csv;
+  write_csv(csv, {sweep});
+  EXPECT_NE(csv.str().find("\"a,b.pov\",lute,\"Declare=A=\"\"x\"\"\",method 1,1,1.0000"), std::string::npos) << csv.str();
 }
 
 }  // namespace

@@ -13,11 +13,6 @@ namespace {
 
 constexpr double kTolerance = 2.0 / 255 + 1e-6;
 
-double coded(double light) {
-  const double v = std::clamp(light, 0.0, 1.0);
-  return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-}
-
 bool differ(const float* pixel, const Rgb& expected) {
   for (std::size_t c = 0; c < 3; ++c) {
     if (!(std::abs(pixel[c] - expected[c]) <= kTolerance)) return true;
@@ -54,7 +49,8 @@ double distance_from(const ClosedForm& oracle, const compare::Picture& picture) 
       const Real a = (Real{2} * x + 1 - kWidth) / (2 * kWidth), b = (kHeight - Real{2} * y - 1) / (2 * kHeight);
       const std::optional<Rgb> light = oracle(a, b);
       if (!light) continue;
-      const Rgb expected{coded((*light)[0]), coded((*light)[1]), coded((*light)[2])};
+      const Rgb expected{compare::srgb_encoded((*light)[0]), compare::srgb_encoded((*light)[1]),
+                         compare::srgb_encoded((*light)[2])};
       wrong += differ(picture.at(x, y), expected) ? 1 : 0;
     }
   }

@@ -35,7 +35,7 @@ class LeafSolid final : public Solid {
   }
   // Whether a hit of another leaf, which lies on this surface, lies where both have the same side of it: not outside counts then.
   bool shares_side(const LeafSolid& other, const dvec3& point) const {
-    return !patch_ && inverted_ == other.inverted_ && !(inverted_ ? shape_->inside(point) : shape_->inside_inverted(point));
+    return !patch_ && inverted_ == other.inverted_ && !(inverted_ ? shape().inside(point) : shape().inside_inverted(point));
   }
 
   void hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const override;

@@ -71,16 +71,24 @@ struct PrismSegment {
   Roots<2> turns;  // where z turns within the segment
   std::array<dvec2, 4> controls;  // the segment lies in the hull of these: its Bézier points
 
-  // Whether all of the hull lies on one side of the line k.x x + k.y z + k.z = 0.
-  bool is_beside(const dvec3& k) const {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
+  // The least and the largest k.x x + k.y z + k.z in the hull, a little widened.
+  Interval range_of(const dvec3& k) const {
+    Interval sides{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const dvec2& c : controls) {
       const double side = k.x * c.x + k.y * c.y + k.z;
-      least = std::min(least, side);
-      most = std::max(most, side);
+      sides.lo = std::min(sides.lo, side);
+      sides.hi = std::max(sides.hi, side);
     }
-    const double slack = 1e-9 * (most - least);
-    return least > slack || most < -slack;
+    const double slack = 1e-9 * (sides.hi - sides.lo);
+    return {sides.lo - slack, sides.hi + slack};
+  }
+  // Whether all of the hull lies on one side of the line k.x x + k.y z + k.z = 0.
+  bool is_beside(const dvec3& k) const { return !range_of(k).contains(0); }
+  // Whether all of the hull lies before or behind a stretch of a ray, seen from above.
+  bool is_apart(const Ray& ray, Interval depths) const {
+    const double dx = ray.direction.x, dz = ray.direction.z, level = dx * dx + dz * dz;
+    const Interval along = range_of({dx, dz, -(dx * ray.origin.x + dz * ray.origin.z)});
+    return along.lo > depths.hi * level || along.hi < depths.lo * level;
   }
 };
 
@@ -122,31 +130,39 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
   }
 
   template <class Sink>
-  void scan(const Ray& ray, Interval, Sink&& sink) const {
+  void scan(const Ray& ray, Interval range, Sink&& sink) const {
     Ray local = to_world_->inverse_ray(ray);
     const double length = glm::length(local.direction);
     local.direction /= length;
     const double dy = local.direction.y;
     if (std::abs(dy) < kEpsilon && (local.origin.y < low_ || local.origin.y > high_)) return;
     if (!line_meets_box(local)) return;
+    // Depths that still count, a little widened; in local units.
+    Interval wanted{range.lo * length - 1e-9 * std::abs(range.lo * length), range.hi * length * (1 + 1e-9)};
+    const auto found = [&](double t, std::uint32_t part, double w) {
+      if (sink(t / length, part, std::array<double, 3>{w, 0, 0})) wanted.hi = std::min(wanted.hi, t + 1e-9 * std::abs(t));
+    };
     if (!open_ && std::abs(dy) >= kEpsilon) {
       for (const double height : {high_, low_}) {
         const double t = (height - local.origin.y) / dy;
         const dvec3 p = local.at(t);
-        if (in_section(p.x, p.z, height)) sink(t / length, kCaps);
+        if (wanted.contains(t) && in_section(p.x, p.z, height)) found(t, kCaps, 0);
       }
     }
     const Section passage = section_between(local, low_, high_);
+    if (!conic_ && std::abs(dy) >= kEpsilon) {
+      const double a = (low_ - local.origin.y) / dy, b = (high_ - local.origin.y) / dy, slack = 1e-9 * (std::abs(a) + std::abs(b));
+      wanted = {std::max(wanted.lo, std::min(a, b) - slack), std::min(wanted.hi, std::max(a, b) + slack)};
+    }
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       if (!passage.meets(segments_[i])) continue;
       const auto emit = [&](double t, double w) {
         const double y = local.origin.y + t * dy;
-        if (y >= low_ && y <= high_)
-          sink(t / length, kFirstSegment + static_cast<std::uint32_t>(i), std::array<double, 3>{w, 0, 0});
+        if (y >= low_ && y <= high_) found(t, kFirstSegment + static_cast<std::uint32_t>(i), w);
       };
       if (conic_) {
         scan_conic_side(segments_[i], local, emit);
-      } else {
+      } else if (degree_ == 1 || !segments_[i].is_apart(local, wanted)) {
         scan_side(segments_[i], local, emit);
       }
     }

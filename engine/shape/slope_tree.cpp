@@ -161,6 +161,9 @@ void SlopeTree::along(const Ray& ray, Interval depths, std::vector<Piece>& out) 
   Walk{*this, ray, 1.0 / ray.direction, out}.visit(root(), center_, half_, 0, depths);
 }
 
-void SlopeTree::too_wide(const Piece& piece) { piece.node->failures.fetch_add(1, std::memory_order_relaxed); }
+void SlopeTree::too_wide(const Piece& piece) {
+  auto& failures = piece.node->failures;
+  if (failures.load(std::memory_order_relaxed) < kPatience) failures.fetch_add(1, std::memory_order_relaxed);
+}
 
 }  // namespace lute

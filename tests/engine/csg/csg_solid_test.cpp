@@ -97,8 +97,8 @@ TEST(Csg, DifferenceShowsTheInsideOfTheCutter) {
   EXPECT_TRUE(csg->inside({0, 0, .5}));
 }
 
-// A sphere's surface is inside of neither itself nor its inverse (chapter 20 §5.1), so that of two equal spheres one wall must stay where both
-// cut or both limit, and nothing where one cuts the other. In the reference rounding decides, pixel by pixel.
+// A sphere's surface is inside of neither itself nor its inverse (chapter 20 §5.1), so that of two equal spheres one wall must stay
+// where both cut or both limit, and nothing where one cuts the other. In the reference rounding decides, pixel by pixel.
 TEST(Csg, OfTwoEqualSpheresOneWallStaysAndTheirDifferenceVanishes) {
   const Sphere ball{{0.1, 0.2, 0.3}, 1};
   auto cut = combine(CsgKind::kDifference, leaf(Box{dvec3(-3, -3, 0), dvec3(3)}, kRed),

@@ -158,7 +158,8 @@ TEST(ProgramEnclosure, BoundsTheSlopeOfARootOfSquaresAcrossZero) {
   const auto square = [&](ExpressionBuilder::Node a) { return e.binary(BinaryOp::kMultiply, a, a); };
   const auto x = e.parameter(0);
   const auto sum = e.binary(BinaryOp::kAdd, square(x), square(e.binary(BinaryOp::kMultiply, e.constant(2), x)));
-  const auto program = e.finish(e.unary(UnaryOp::kSqrt, sum), 1), less = e.finish(e.unary(UnaryOp::kSqrt, e.binary(BinaryOp::kSubtract, sum, e.constant(1))), 1);
+  const auto program = e.finish(e.unary(UnaryOp::kSqrt, sum), 1);
+  const auto less = e.finish(e.unary(UnaryOp::kSqrt, e.binary(BinaryOp::kSubtract, sum, e.constant(1))), 1);
   Enclosure result;
   const Enclosure across(-1, 2, 1, 1), beyond(0.44, 2, 1, 1);
   ASSERT_TRUE(program->enclose(&across, result));

@@ -26,6 +26,7 @@ echo '| what | how many | in all | bytes each | processor time |'
 echo '|---|---:|---:|---:|---:|'
 row 'triangles of a mesh2, with normals and uv' mesh 1002528 Declare=Side=1 Declare=Side=708
 row 'spheres, objects of their own' spheres 100000 Declare=Count=1 Declare=Count=100000
+row 'spheres, each with a pigment of its own' colored_spheres 100000 Declare=Count=1 Declare=Count=100000
 row 'copies of a mesh of 5,000 triangles' copies 1000000 Declare=Count=1 Declare=Count=1000000
 row 'children of a difference' children 1024 Declare=Side=1 Declare=Side=32
 row 'children of a difference' children 10000 Declare=Side=1 Declare=Side=100

@@ -69,10 +69,12 @@ void read_plain(ByteReader& file, const Header& header, ColorMapped& image) {
 void read_runs(ByteReader& file, const Header& header, ColorMapped& image) {
   int column = 0, row = 0;
   const auto put = [&](int index) {
-    if (column >= header.width || row >= header.height) throw std::runtime_error("a run leaves the picture");
+    if (row >= header.height) throw std::runtime_error("a run leaves the picture");
     const auto line = static_cast<std::size_t>(header.height - 1 - row);
-    image.indices[line * static_cast<std::size_t>(header.width) + static_cast<std::size_t>(column++)] =
-        static_cast<std::uint8_t>(index);
+    // Some programs fill their rows up to a multiple of four pixels.
+    if (column < header.width)
+      image.indices[line * static_cast<std::size_t>(header.width) + static_cast<std::size_t>(column)] = static_cast<std::uint8_t>(index);
+    ++column;
   };
   const auto half = [&](int byte, int i) { return header.bits == 8 ? byte : i % 2 == 0 ? byte >> 4 : byte & 15; };
   for (;;) {

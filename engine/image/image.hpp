@@ -31,8 +31,11 @@ class Image {
   int width() const { return width_; }
   int height() const { return height_; }
   bool has_alpha() const { return has_alpha_; }
+  // Files of some formats count as having alpha, even where all of it is 1.
+  bool keeps_alpha() const { return has_alpha_ || format_keeps_alpha_; }
+  void set_format_keeps_alpha() { format_keeps_alpha_ = true; }
   bool premultiplied() const { return premultiplied_; }
-  void set_premultiplied(bool premultiplied) { premultiplied_ = premultiplied && has_alpha_; }
+  void set_premultiplied(bool premultiplied) { premultiplied_ = premultiplied && (has_alpha_ || format_keeps_alpha_); }
 
   std::span<const Pixel> palette() const { return palette_; }
   bool is_palette() const { return !palette_.empty(); }
@@ -50,7 +53,7 @@ class Image {
   }
 
   int width_, height_, channels_;
-  bool has_alpha_ = false, premultiplied_ = false;
+  bool has_alpha_ = false, format_keeps_alpha_ = false, premultiplied_ = false;
   std::vector<std::uint8_t> bytes_;     // samples, or indices into the palette
   std::vector<std::uint16_t> words_;
   std::vector<float> floats_;

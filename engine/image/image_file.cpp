@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
 
 #include "engine/image/format_library.hpp"
 #include "engine/image/color_mapped.hpp"
@@ -66,7 +67,9 @@ std::shared_ptr<Image> make_png(const std::string& path, const ImageFileOptions&
   const Convert convert = conversion(options, curve_of_png(png, options));
   if (!png.palette.empty()) {
     for (Image::Pixel& p : png.palette) p.rgb = {convert(p.rgb.r), convert(p.rgb.g), convert(p.rgb.b)};
-    return std::make_shared<Image>(png.width, png.height, std::move(png.bytes), std::move(png.palette));
+    auto image = std::make_shared<Image>(png.width, png.height, std::move(png.bytes), std::move(png.palette));
+    image->set_format_keeps_alpha();
+    return image;
   }
   if (png.deep) return std::make_shared<Image>(png.width, png.height, png.channels, std::move(png.words), table(65536, convert));
   std::vector<float> decoded = table(256, convert);
@@ -81,9 +84,11 @@ std::shared_ptr<Image> make_jpeg(const std::string& path, const ImageFileOptions
   return std::make_shared<Image>(jpeg.width, jpeg.height, jpeg.channels, std::move(jpeg.bytes), table(256, convert));
 }
 
-std::shared_ptr<Image> make_color_mapped(ColorMapped file, const Convert& convert) {
+std::shared_ptr<Image> make_color_mapped(ColorMapped file, const Convert& convert, bool keeps_alpha) {
   for (Image::Pixel& p : file.palette) p.rgb = {convert(p.rgb.r), convert(p.rgb.g), convert(p.rgb.b)};
-  return std::make_shared<Image>(file.width, file.height, std::move(file.indices), std::move(file.palette));
+  auto image = std::make_shared<Image>(file.width, file.height, std::move(file.indices), std::move(file.palette));
+  if (keeps_alpha) image->set_format_keeps_alpha();
+  return image;
 }
 
 // A POT file, of FractInt, is a GIF file of twice the width: high bytes in the left half, low bytes in the right one.
@@ -111,23 +116,67 @@ std::vector<Integer> integers(const std::vector<float>& values) {
   return result;
 }
 
-std::shared_ptr<Image> make_other(const std::string& path, const ImageFileOptions& options, std::string& error) {
+// A value of a Radiance HDR file is a byte times the power of two that the three channels of the pixel share. The reference takes the
+// middle of the byte's step.
+void raise_to_middle_of_step(ImagePixels& pixels) {
+  const auto channels = static_cast<std::size_t>(pixels.channels);
+  for (std::size_t first = 0; first + channels <= pixels.values.size(); first += channels) {
+    const std::span<float> pixel(&pixels.values[first], channels);
+    const float largest = *std::max_element(pixel.begin(), pixel.end());
+    if (!(largest > 0)) continue;
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    for (float& v : pixel) v += std::ldexp(1.0f, exponent - 9);
+  }
+}
+
+// TIFF files are read with 8 bits, alpha multiplied into the colours.
+std::shared_ptr<Image> make_tiff(const ImagePixels& pixels, const ImageFileInfo& info, const Convert& convert) {
+  std::vector<std::uint8_t> bytes;
+  // Of 16 bits, grey files keep the upper eight, others the nearest of 256 codes.
+  if (info.stored == ChannelType::kUint16)
+    for (const int v : integers<std::uint16_t>(pixels.values))
+      bytes.push_back(static_cast<std::uint8_t>(pixels.channels < 3 ? v >> 8 : (v + 128) / 257));
+  else
+    bytes = integers<std::uint8_t>(pixels.values);
+  if (pixels.channels % 2 == 0 && !info.alpha_premultiplied) {
+    const auto channels = static_cast<std::size_t>(pixels.channels);
+    for (std::size_t first = 0; first + channels <= bytes.size(); first += channels) {
+      const int alpha = bytes[first + channels - 1];
+      for (std::size_t c = 0; c + 1 < channels; ++c)
+        bytes[first + c] = static_cast<std::uint8_t>((bytes[first + c] * alpha + 127) / 255);
+    }
+  }
+  return std::make_shared<Image>(pixels.width, pixels.height, pixels.channels, std::move(bytes), table(256, convert));
+}
+
+// OpenImageIO finds out the format by the file's content; the word in the scene must be right, too.
+bool is_of_type(const std::string& type, const std::string& format) {
+  static const std::map<std::string, std::string> formats = {{"tga", "targa"}, {"tiff", "tiff"}, {"bmp", "bmp"},    {"ppm", "pnm"},
+                                                             {"pgm", "pnm"},   {"hdr", "hdr"},   {"exr", "openexr"}};
+  const auto found = formats.find(type);
+  return found == formats.end() || found->second == format;
+}
+
+std::shared_ptr<Image> make_other(const std::string& path, const std::string& type, const ImageFileOptions& options,
+                                  std::string& error) {
   const FormatLibrary* library = format_library(error);
   if (library == nullptr) return nullptr;
   ImagePixels pixels;
   ImageFileInfo info;
   if (!library->read(path, pixels, info, error)) return nullptr;
+  if (!is_of_type(type, info.format)) {
+    error = "the file is of another format (" + info.format + ")";
+    return nullptr;
+  }
+  if (info.format == "hdr") raise_to_middle_of_step(pixels);
   const Convert convert = conversion(options, curve_of_format(info.format, options));
   std::shared_ptr<Image> image;
-  if (info.stored == ChannelType::kUint8) {
+  if (info.format == "tiff" && (info.stored == ChannelType::kUint8 || info.stored == ChannelType::kUint16)) {
+    image = make_tiff(pixels, info, convert);
+  } else if (info.stored == ChannelType::kUint8) {
     image = std::make_shared<Image>(pixels.width, pixels.height, pixels.channels, integers<std::uint8_t>(pixels.values),
                                     table(256, convert));
-  } else if (info.stored == ChannelType::kUint16 && info.format == "tiff") {
-    // The reference reads TIFF files with 8 bits only.
-    const std::vector<std::uint16_t> deep = integers<std::uint16_t>(pixels.values);
-    std::vector<std::uint8_t> bytes(deep.size());
-    std::transform(deep.begin(), deep.end(), bytes.begin(), [](std::uint16_t v) { return static_cast<std::uint8_t>(v >> 8); });
-    image = std::make_shared<Image>(pixels.width, pixels.height, pixels.channels, std::move(bytes), table(256, convert));
   } else if (info.stored == ChannelType::kUint16) {
     image = std::make_shared<Image>(pixels.width, pixels.height, pixels.channels, integers<std::uint16_t>(pixels.values),
                                     table(65536, convert));
@@ -139,7 +188,9 @@ std::shared_ptr<Image> make_other(const std::string& path, const ImageFileOption
     }
     image = std::make_shared<Image>(pixels.width, pixels.height, pixels.channels, std::move(pixels.values));
   }
-  image->set_premultiplied(info.alpha_premultiplied);
+  const bool always_premultiplied = info.format == "tiff" || info.format == "openexr";
+  if (always_premultiplied || info.format == "hdr") image->set_format_keeps_alpha();
+  image->set_premultiplied(always_premultiplied || info.alpha_premultiplied);
   return image;
 }
 
@@ -152,8 +203,8 @@ std::shared_ptr<Image> make_image(const std::string& path, const std::string& ty
   if (type == "gif") file = read_gif(path, error);
   if (type == "bmp") file = read_color_mapped_bmp(path, error);
   if (type == "tga") file = read_color_mapped_tga(path, error);
-  if (file) return make_color_mapped(std::move(*file), conversion(options, curve_of_format(type, options)));
-  return error.empty() ? make_other(path, options, error) : nullptr;
+  if (file) return make_color_mapped(std::move(*file), conversion(options, curve_of_format(type, options)), type != "bmp");
+  return error.empty() ? make_other(path, type, options, error) : nullptr;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ double evaluate(const ImagePattern& pattern, const dvec3& p, const PatternContex
   const Image& image = *mapping.image;
   const float value = interpolate_pixels(mapping, *position, [&](int column, int row) {
     const Image::Pixel pixel = image.pixel(column, row);
-    if (pattern.use_alpha) return image.has_alpha() ? 1 - pixel.alpha : pixel.rgb.r;
+    if (pattern.use_alpha) return image.keeps_alpha() ? 1 - pixel.alpha : pixel.rgb.r;
     return grey(pixel.rgb);
   });
   return static_cast<double>(std::clamp(value, 0.0f, 1.0f));

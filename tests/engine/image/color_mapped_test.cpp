@@ -135,8 +135,14 @@ TEST_F(ColorMappedFile, BmpRunsRepeatAndJump) {  // 2 x index 1, end of row; lit
   EXPECT_THAT(image->indices, ElementsAre(0, 1, 2, 1, 1, 0));
 }
 
+TEST_F(ColorMappedFile, BmpRowsMayBeFilledUp) {  // 3 x index 1 and a fourth pixel beyond the row, as ImageMagick writes; row of 2
+  const auto image = read_color_mapped_bmp(write(bmp(8, 3, 2, 1, {3, 1, 1, 0, 0, 0, 4, 2, 0, 1})), error_);
+  ASSERT_TRUE(image) << error_;
+  EXPECT_THAT(image->indices, ElementsAre(2, 2, 2, 1, 1, 1));
+}
+
 TEST_F(ColorMappedFile, BmpRunThatLeavesThePictureIsAnError) {
-  EXPECT_FALSE(read_color_mapped_bmp(write(bmp(8, 3, 1, 1, {9, 1, 0, 1})), error_));
+  EXPECT_FALSE(read_color_mapped_bmp(write(bmp(8, 3, 1, 1, {3, 1, 0, 0, 1, 1, 0, 1})), error_));
   EXPECT_THAT(error_, HasSubstr("leaves the picture"));
 }
 

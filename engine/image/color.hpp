@@ -24,8 +24,10 @@ struct Rgb {
   friend constexpr bool operator==(const Rgb&, const Rgb&) = default;
 };
 
-// The weights of POV-Ray's grey, everywhere.
-constexpr float grey(Rgb c) { return 0.297f * c.r + 0.589f * c.g + 0.114f * c.b; }
+// The weights of POV-Ray's grey, everywhere; summed in double precision, as the reference does.
+constexpr float grey(Rgb c) {
+  return static_cast<float>(0.297 * static_cast<double>(c.r) + 0.589 * static_cast<double>(c.g) + 0.114 * static_cast<double>(c.b));
+}
 constexpr float peak(Rgb c) { return c.r > c.g ? (c.r > c.b ? c.r : c.b) : (c.g > c.b ? c.g : c.b); }
 
 struct Color {

@@ -30,6 +30,7 @@ ColorMap map_of(const Radial&) {
 ColorMap map_of(const Marble&) { return {{{0, rgb(0.9f, 0.8f, 0.8f)}, {0.9f, rgb(0.9f, 0.08f, 0.08f)}, {0.9f, rgb(0, 0, 0)}}}; }
 ColorMap map_of(const Brick&) { return list({rgb(0.5f, 0.5f, 0.5f), rgb(0.6f, 0.15f, 0.15f)}); }
 ColorMap map_of(const Checker&) { return list({rgb(0, 0, 1), rgb(0, 1, 0)}); }
+ColorMap map_of(const ObjectPattern&) { return list({rgb(0, 0, 1), rgb(0, 1, 0)}); }
 ColorMap map_of(const Hexagon&) { return list({rgb(0, 0, 1), rgb(0, 1, 0), rgb(1, 0, 0)}); }
 ColorMap map_of(const Square&) { return list({rgb(1, 0, 0), rgb(0, 1, 0), rgb(0, 0, 1), rgb(1, 1, 0)}); }
 ColorMap six_colors() { return list({rgb(1, 0, 0), rgb(0, 1, 0), rgb(0, 0, 1), rgb(1, 1, 0), rgb(0, 1, 1), rgb(1, 0, 1)}); }

@@ -10,10 +10,11 @@ ImagePtr sample_function(const Function& function, int width, int height) {
   const int channels = function.is_vector() ? 4 : 1;
   std::vector<std::uint16_t> samples;
   samples.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels));
-  // Values outside 0...1 wrap around, as the reference has it.
-  const auto store = [&](double v) {
-    const double scaled = std::isfinite(v) ? std::clamp(v * 65535, -9e15, 9e15) : 0;
-    samples.push_back(static_cast<std::uint16_t>(static_cast<std::int64_t>(scaled) & 0xFFFF));
+  // Values outside 0...1 wrap around, as the reference has it; those that no 32-bit integer holds are 0.
+  const auto store = [&](float v) {
+    const float scaled = v * 65535.0f;
+    const bool held = scaled > -2147483904.0f && scaled < 2147483648.0f;
+    samples.push_back(static_cast<std::uint16_t>(held ? static_cast<std::int64_t>(scaled) & 0xFFFF : 0));
   };
   const auto place = [](int i, int size) { return size > 1 ? static_cast<double>(i) / (size - 1) : 0.0; };
   for (int row = 0; row < height; ++row)
@@ -22,10 +23,10 @@ ImagePtr sample_function(const Function& function, int width, int height) {
       double results[5] = {0, 0, 0, 0, 0};
       function.evaluate(arguments, results);
       if (channels == 1) {
-        store(results[0]);
+        store(static_cast<float>(results[0]));
       } else {
-        for (int c = 0; c < 3; ++c) store(results[c]);
-        store(1 - results[4]);
+        for (int c = 0; c < 3; ++c) store(static_cast<float>(results[c]));
+        store(1 - static_cast<float>(results[4]));
       }
     }
   std::vector<float> decoded(65536);

@@ -22,9 +22,11 @@ dvec3 warp(const Turbulence& w, const dvec3& p) { return p + w.amount * vector_t
 dvec3 warp(const RepeatWarp& w, const dvec3& p) {
   const int a = w.axis;
   const double width = static_cast<double>(w.width);
-  const double n = static_cast<double>(static_cast<float>(std::floor(p[a] / width)));
+  // How many widths, and how far they are, is in single precision.
+  const float widths = static_cast<float>(std::floor(p[a] / width));
+  const double n = static_cast<double>(widths);
   dvec3 q = p;
-  q[a] = p[a] - n * width;
+  q[a] = p[a] - static_cast<double>(widths * w.width);
   if (std::fmod(n, 2.0) != 0) {
     q *= w.flip;
     if (w.flip[a] < 0) q[a] += width;

@@ -23,7 +23,7 @@ constexpr bool is_allowed(std::string_view keyword, BodyKind kind) {
   if (keyword == "image_map") return kind == BodyKind::kPigment || kind == BodyKind::kDensity;
   if (is_one_of(keyword, {"bump_map", "facets"})) return kind == BodyKind::kNormal;
   if (kind == BodyKind::kFunction)
-    return !is_one_of(keyword, {"square", "triangular", "slope", "aoi", "pavement", "tiling", "object"});
+    return !is_one_of(keyword, {"square", "triangular", "slope", "aoi", "pavement", "tiling"});
   return true;
 }
 

@@ -20,8 +20,9 @@ void parse_arguments(Reader& reader, Gradient& pattern, ParsedPattern&) {
   pattern.direction = length > 0 ? direction / length : direction;
 }
 
-void parse_arguments(Reader& reader, Spiral1& pattern, ParsedPattern&) { pattern.arms = reader.integer(); }
-void parse_arguments(Reader& reader, Spiral2& pattern, ParsedPattern&) { pattern.arms = reader.integer(); }
+// 16 bits of the number of arms count.
+void parse_arguments(Reader& reader, Spiral1& pattern, ParsedPattern&) { pattern.arms = static_cast<std::int16_t>(reader.integer()); }
+void parse_arguments(Reader& reader, Spiral2& pattern, ParsedPattern&) { pattern.arms = static_cast<std::int16_t>(reader.integer()); }
 
 // slope V, or slope { [point_at] V [, lo [, hi]] [altitude A [, lo [, hi]]] }
 void parse_arguments(Reader& reader, Slope& pattern, ParsedPattern&) {

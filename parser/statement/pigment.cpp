@@ -68,7 +68,9 @@ bool accept_pigment_pattern(Reader& reader, Pigment& pigment, BodyKind kind) {
     PigmentMap map;
     map.entries.push_back({0, parse_pigment_items(reader, nested_base(reader, kind), kind)});
     pigment.map = std::move(map);
-  } else if (kind != BodyKind::kFunction && list_length(pigment.body) > 0) {
+  } else if (kind == BodyKind::kFunction) {
+    close_list_pattern(reader, pigment.body);  // the value counts, no list of colours can follow
+  } else if (list_length(pigment.body) > 0) {
     parse_list(reader, pigment, kind);
   }
   return true;

@@ -43,9 +43,10 @@ double square_value(const Pavement& pattern, const PavementTiles& tiles, double 
     corners[k] = {2 * (right ? 1 - fx : fx), 2 * (up ? 1 - fz : fz), drawn_x[right], drawn_z[up], differs(2 * right - 1, 2 * up - 1)};
   }
   const int drawn = drawn_x[0] + drawn_x[1] + drawn_z[0] + drawn_z[1];
-  if (pattern.form != 3 && drawn == 2)
+  const int form = pattern.form % 4, interior = pattern.interior % 3, exterior = pattern.exterior % 3;
+  if (form != 3 && drawn == 2)
     for (int k = 0; k < 4; ++k)
-      if (corners[k].inner() && corners[3 - k].corner()) return bend(pattern.form, corners[k].a, corners[k].b);
+      if (corners[k].inner() && corners[3 - k].corner()) return bend(form, corners[k].a, corners[k].b);
 
   double value = 0;
   for (const SquareCorner& c : corners) {
@@ -53,10 +54,10 @@ double square_value(const Pavement& pattern, const PavementTiles& tiles, double 
     if (c.z_edge_drawn) value = std::max(value, 1 - c.b);
     if (c.inner()) {
       const double round = 1 - std::sqrt(c.a * c.a + c.b * c.b);
-      value = std::max(value, pattern.interior == 0 ? std::min(1 - c.a, 1 - c.b) : pattern.interior == 1 ? 1 - (c.a + c.b) : round);
+      value = std::max(value, interior == 0 ? std::min(1 - c.a, 1 - c.b) : interior == 1 ? 1 - (c.a + c.b) : round);
     }
-    if (c.corner() && pattern.exterior == 1) value = std::max(value, std::min(1.0, 2 - (c.a + c.b)));
-    if (c.corner() && pattern.exterior == 2 && c.a < 1 && c.b < 1)
+    if (c.corner() && exterior == 1) value = std::max(value, std::min(1.0, 2 - (c.a + c.b)));
+    if (c.corner() && exterior == 2 && c.a < 1 && c.b < 1)
       value = std::max(value, std::min(1.0, std::sqrt((1 - c.a) * (1 - c.a) + (1 - c.b) * (1 - c.b))));
   }
   return value;
@@ -115,7 +116,9 @@ class TriangleTiles {
 // The triangle that holds the point.
 class TriangleView {
  public:
-  TriangleView(const Pavement& pattern, const TriangleTiles& tiles, dvec2 point) : pattern_(pattern), tiles_(tiles), point_(point) {
+  TriangleView(const Pavement& pattern, const TriangleTiles& tiles, dvec2 point)
+      : sides_(pattern.sides), form_(pattern.form % 3), interior_(pattern.interior % 3), exterior_(pattern.exterior % 3), tiles_(tiles),
+        point_(point) {
     const double v = point.y / kHeight, u = point.x - v / 2;
     triangle_ = {cell_of(u), cell_of(v), true};
     triangle_.up = (u - triangle_.i) + (v - triangle_.j) < 1;
@@ -133,10 +136,10 @@ class TriangleView {
       if (drawn_[k]) value = std::max(value, 1 - edge_distance(k) / kInradius);
     for (int k = 0; k < 3; ++k)
       if (!drawn_[next(k)] && !drawn_[last(k)] && tiles_.on_border(triangle_.corner(k), own_)) value = std::max(value, inner_vertex(k));
-    if (pattern_.sides == 3 && pattern_.exterior != 0)
+    if (sides_ == 3 && exterior_ != 0)
       for (int k = 0; k < 3; ++k)
         if (drawn_[next(k)] && drawn_[last(k)]) value = outer_corner(k, value);
-    if (pattern_.form == 1 || pattern_.form == 2)
+    if (form_ == 1 || form_ == 2)
       for (int k = 0; k < 3; ++k)
         if (in_kite(k)) {
           if (is_wide_corner(k, next(k))) return wide_corner(k, next(k));
@@ -161,7 +164,7 @@ class TriangleView {
   bool in_kite(int k) const { return along(k, next(k)) < 0.5 && along(k, last(k)) < 0.5; }
 
   double inner_vertex(int k) const {
-    switch (pattern_.interior) {
+    switch (interior_) {
       case 0: return 1 - vertex_line_distance(k) / kInradius;
       case 1: return in_kite(k) ? std::min(1 - 3 * along(k, next(k)), 1 - 3 * along(k, last(k))) : 0;
       default: return 1 - 3 * glm::length(point_ - corner_[k]);
@@ -170,7 +173,7 @@ class TriangleView {
 
   double outer_corner(int k, double value) const {
     const dvec2 from_centroid = point_ - centroid_;
-    if (pattern_.exterior == 1) {
+    if (exterior_ == 1) {
       if (edge_distance(next(k)) > kInradius || edge_distance(last(k)) > kInradius) return value;
       return std::min(1.0, std::fabs(glm::dot(from_centroid, glm::normalize(corner_[k] - centroid_))) / kInradius);
     }
@@ -193,11 +196,11 @@ class TriangleView {
   }
   double wide_corner(int k, int open) const {
     const int far_end = 3 - k - open;
-    if (pattern_.form == 1) return std::min(1.0, std::fabs(2 - 4 * along(k, far_end)));
+    if (form_ == 1) return std::min(1.0, std::fabs(2 - 4 * along(k, far_end)));
     return std::clamp((glm::length(point_ - corner_[far_end]) - 1 / kRoot3) / kInradius, 0.0, 1.0);
   }
 
-  const Pavement& pattern_;
+  int sides_, form_, interior_, exterior_;
   const TriangleTiles& tiles_;
   dvec2 point_, corner_[3], centroid_{0, 0};
   Triangle triangle_{0, 0, true};

@@ -174,6 +174,15 @@ TEST(Pattern, WavesShapeTheValue) {
   EXPECT_NEAR(value_at(body, {0.3, 0, 0}), 0.027, 1e-11);
 }
 
+// Measured with the reference: without size all is mortar, by comparisons with infinity and NaN.
+TEST(Pattern, BricksWithoutSizeAreMortar) {
+  Brick brick;
+  for (const dvec3& size : {dvec3(0), dvec3(1, 0, 1)}) {
+    brick.size = size;
+    for (const dvec3& p : {kP1, kP2, kP3, dvec3(0)}) EXPECT_EQ(value_at(body_of(brick), p), 0);
+  }
+}
+
 // Chapter 50 §6.7: no surface, no slope and no angle of incidence.
 TEST(Pattern, SlopeAndAoiNeedASurface) {
   EXPECT_EQ(value_at(body_of(Slope()), kP1), 0);

@@ -70,6 +70,15 @@ TEST(Pigment, MarbleHasDefaultColors) {  // C16: green and blue
       EXPECT_NEAR(static_cast<double>(color_at(marble, column - 1.5, 1.0 - row).rgb.g), expected[row][column], 1e-4);
 }
 
+TEST(Pigment, ObjectPatternHasDefaultColors) {  // §10.3: outside blue, inside green
+  PatternBody body;
+  body.pattern = AnyPattern(ObjectPattern());
+  const ColorMap& map = default_color_map(body);
+  ASSERT_EQ(map.entries.size(), 2u);
+  EXPECT_EQ(map.entries[0].value, rgb(0, 0, 1));
+  EXPECT_EQ(map.entries[1].value, rgb(0, 1, 0));
+}
+
 TEST(Pigment, BrickHasDefaultColors) {  // C17
   Pigment brick;
   brick.body = body_of(Brick());
@@ -115,6 +124,24 @@ TEST(ImageMap, InterpolatesLikeTheReference) {  // C10, C11, C12
   expect_row(image_map(4, false), 1, {.7579, .8645, .1355, .2421});
   expect_row(image_map(4, false), 0, {.7716, .8030, .1970, .2284});
   expect_row(image_map(4, false), -1, {.7579, .8645, .1355, .2421});
+}
+
+// Measured with the reference: 16 bits of the integer count, of values that 32 bits hold.
+TEST(FunctionImage, ValuesOutsideWrapAround) {
+  class Constant final : public Function {
+   public:
+    explicit Constant(double value) : Function(3, 1), value_(value) {}
+    void evaluate(const double*, double* results) const override { results[0] = value_; }
+
+   private:
+    double value_;
+  };
+  const auto stored = [](double v) { return sample_function(Constant(v), 1, 1)->height_at(0, 0); };
+  EXPECT_EQ(stored(0.5), 32767);
+  EXPECT_EQ(stored(-1), 1);
+  EXPECT_EQ(stored(2), 65534);
+  EXPECT_EQ(stored(1e10), 0);
+  EXPECT_EQ(stored(std::nan("")), 0);
 }
 
 TEST(ImageMap, OnceHasNoColorOutside) {  // C13

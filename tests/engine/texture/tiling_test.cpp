@@ -71,6 +71,21 @@ TEST(Pavement, EqualsTheReference) {
   expect_three(pavement(3, 4, 2, 0, 1), 0.514359, 0, 0.431535);
 }
 
+// Chapter 50 §8: form counts modulo 4 for squares, otherwise 3; interior and exterior modulo 3.
+TEST(Pavement, KindsOfCornersComeAround) {
+  for (const int sides : {3, 4, 6})
+    for (int kind = 0; kind < 3; ++kind)
+      for (const dvec3& p : {dvec3(0.3, 0, 0.8), dvec3(-2.4, 0, 1.7), dvec3(5.05, 0, -3.3)}) {
+        Pavement low, high;
+        low.sides = high.sides = sides;
+        low.tiles = high.tiles = 3;
+        low.form = low.interior = low.exterior = kind;
+        high.form = kind + (sides == 4 ? 4 : 3);
+        high.interior = high.exterior = kind + 3;
+        EXPECT_EQ(value_at(body_of(low), p), value_at(body_of(high), p)) << sides << ' ' << kind;
+      }
+}
+
 // Every cell of every pavement belongs to exactly one tile: so many cells are listed as the lattice's parallelogram holds.
 TEST(Pavement, TilesCoverTheLattice) {
   for (const PavementEntry& e : kPavements) {

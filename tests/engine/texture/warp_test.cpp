@@ -25,6 +25,19 @@ TEST(Warp, RepeatFlipsEveryOtherStrip) {
   EXPECT_NEAR(gradient_after(kX, repeat, {-0.25, 0, 0}), 0.25, 1e-11);
 }
 
+// `bozo warp { repeat -0.7*y offset <0.1, 0.2, 0.3> flip <1, 1, 0> }` at (12345.678, -98765.4, 555.5), measured with the reference: how
+// far 141094 widths are is a number of single precision, which is off by 0.004.
+TEST(Warp, RepeatMultipliesInSinglePrecision) {
+  PatternBody body = body_of(Bozo());
+  RepeatWarp repeat;
+  repeat.axis = 1;
+  repeat.width = -0.7f;
+  repeat.offset = {0.1, 0.2, 0.3};
+  repeat.flip = {-1, -1, 1};
+  body.warps.push_back(repeat);
+  EXPECT_NEAR(value_at(body, {12345.678, -98765.4, 555.5}), 0.68469349333, 1e-9);
+}
+
 TEST(Warp, BlackHoleAttracts) {
   BlackHoleWarp hole;
   hole.center = dvec3(0.5);

@@ -33,8 +33,13 @@ CompiledNormal::CompiledNormal(const Normal& normal, bool no_bump_scale, Texture
 }
 
 dvec3 CompiledNormal::perturb(const dvec3& normal, const dvec3& point, const SurfaceContext& surface) const {
+  const dvec3 bent = bend(normal, point, surface);
+  return bump_scale_ ? bent : glm::normalize(bent);  // carried out with its bump scale it is a unit already
+}
+
+dvec3 CompiledNormal::bend(const dvec3& normal, const dvec3& point, const SurfaceContext& surface) const {
   if (pattern_->is_uv_mapping() && !normals_.empty())
-    return glm::normalize(normals_.front().normal->perturb(normal, {surface.uv.x, surface.uv.y, 0}, surface));
+    return glm::normalize(normals_.front().normal->bend(normal, {surface.uv.x, surface.uv.y, 0}, surface));
   const dvec3 warped = pattern_->warp(point);
   dvec3 n = pattern_->carry_in(normal, bump_scale_);
   if (!normals_.empty())
@@ -43,8 +48,7 @@ dvec3 CompiledNormal::perturb(const dvec3& normal, const dvec3& point, const Sur
     n = pattern_->perturb(n, amount_, warped, surface);
   else if (pattern_->pattern() != nullptr)
     n = by_slope(n, warped, surface);
-  const dvec3 out = pattern_->carry_out(n, bump_scale_);
-  return bump_scale_ ? out : glm::normalize(out);  // carried out with its bump scale it is a unit already
+  return pattern_->carry_out(n, bump_scale_);
 }
 
 dvec3 CompiledNormal::by_slope(dvec3 normal, const dvec3& warped, const SurfaceContext& surface) const {
@@ -62,13 +66,13 @@ dvec3 CompiledNormal::by_map(const dvec3& normal, const dvec3& warped, const Sur
     double total = 0;
     for (const NormalEntry& entry : normals_) {
       const double weight = static_cast<double>(entry.position);
-      sum += weight * (entry.normal != nullptr ? entry.normal->perturb(normal, warped, surface) : normal);
+      sum += weight * (entry.normal != nullptr ? entry.normal->bend(normal, warped, surface) : normal);
       total += weight;
     }
     return sum / total;
   }
   const auto n = find_neighbours(std::span<const NormalEntry>(normals_), pattern_->value(warped, surface));
-  const auto one = [&](const NormalEntry* e) { return e->normal != nullptr ? e->normal->perturb(normal, warped, surface) : normal; };
+  const auto one = [&](const NormalEntry* e) { return e->normal != nullptr ? e->normal->bend(normal, warped, surface) : normal; };
   const dvec3 current = one(n.current);
   return n.single() ? current : (1 - n.t) * one(n.previous) + n.t * current;
 }

@@ -27,6 +27,8 @@ class CompiledNormal {
     const CompiledNormal* normal;
   };
 
+  // The same, of any length without bump scale: normals of a map are blended so.
+  dvec3 bend(const dvec3& normal, const dvec3& point, const SurfaceContext& surface) const;
   dvec3 by_slope(dvec3 normal, const dvec3& warped, const SurfaceContext& surface) const;
   dvec3 by_map(const dvec3& normal, const dvec3& warped, const SurfaceContext& surface) const;
 

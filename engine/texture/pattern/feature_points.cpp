@@ -404,7 +404,7 @@ dvec3 nearest_by_signed_sum(const dvec3& p) {
   double best = std::numeric_limits<double>::infinity();
   dvec3 nearest{0};
   for (const Offset& o : kOffsets) {
-    const dvec3 feature = cubes.feature(o), d = p - feature;
+    const dvec3 feature = cubes.feature(o), d = feature - p;
     const double s = d.x + d.y + d.z;
     if (s >= best) continue;
     best = s;

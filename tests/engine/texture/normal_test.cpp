@@ -111,6 +111,28 @@ TEST(Normal, NormalMapBlendsUnitNormals) {  // C19
                  {{{.97044, .97195, .97768, .97491}, {.94693, .94591, .95599, .96457}, {.93068, .92535, .93898, .95656}}});
 }
 
+// gradient x normal_map { [0 bumps 1 no_bump_scale scale 0.1] [1 granite 1 no_bump_scale scale 0.2] } scale 5
+// translate <-2.37, 0.27, 0.31>, measured with the reference: normals without bump scale are blended as long as they are.
+TEST(Normal, NormalMapBlendsNormalsWithoutBumpScaleByTheirLength) {
+  const auto entry = [](Normal normal, double scale) {
+    normal.no_bump_scale = true;
+    return std::make_shared<Normal>(moved(std::move(normal), Transform::scale(dvec3(scale))));
+  };
+  Normal normal;
+  normal.body = body_of(gradient({1, 0, 0}));
+  normal.map = NormalMap{{{0, entry(normal_of(Bumps(), 1), 0.1)}, {1, entry(normal_of(Granite(), 1), 0.2)}}};
+  normal = moved(moved(normal, Transform::scale(dvec3(5))), Transform::translate({-2.37, 0.27, 0.31}));
+  expect_picture(normal, {{{.67570, .59077, .17934, .86343}, {.90294, .76178, .76800, .40351}, {.50694, .35813, .80743, .68319}}});
+}
+
+TEST(Normal, FacetsOfMetricOneTakeTheSumWithoutMagnitudes) {  // facets coords 0.5 size 0.25 metric 1, measured with the reference
+  Facets facets;
+  facets.coords = 0.5f;
+  facets.size = 0.25f;
+  facets.metric = 1;
+  expect_picture(normal_of(facets, 0.5f), {{{.91572, .97560, .93863, .92966}, {.97194, .97853, .97388, .93138}, {.94495, .94154, .93646, .96933}}});
+}
+
 TEST(Normal, AverageWeighsUnitNormals) {  // C21
   PatternBody body;
   body.pattern = Average{};

@@ -1,4 +1,4 @@
-// Solids whose faces coincide: Declare=Way=N combines them so that the outside is that of one box, up to 8; one ball, 9; nothing, 10 and 11.
+// Solids whose faces coincide: Declare=Way=N combines them so that the outside is that of one box, up to 8; one ball, 9; nothing, 10.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #ifndef (Way) #declare Way = 0; #end
@@ -17,7 +17,6 @@ object {
   #case (8) difference { object { B } plane { x, -1 } plane { y, -1 } plane { z, -1 } } #break
   #case (9) merge { sphere { 0, 1 } sphere { 0, 1 } } #break
   #case (10) difference { sphere { 0, 1 } sphere { 0, 1 } } #break
-  #case (11) merge { object { B } object { B } } #break  // a box's surface is inside of it: both hide each other
   #end
   rotate <20, 30, 10>
   pigment { rgb <1, 1, 0> } finish { ambient 1 diffuse 0 }

@@ -226,6 +226,40 @@ ClosedForm shells() {
   };
 }
 
+// Bouguer's law: n r sin(angle to the radius) is the ray's distance p from the centre all along its way. At the radius r between
+// densities n outside and m inside it turns by asin(p / (n r)) - asin(p / (m r)) toward the axis, and once more where it leaves.
+ClosedForm glass_shells() {
+  return [](Real a, Real b) -> std::optional<Rgb> {
+    constexpr int kShells = 200, kLevels = 256;
+    const auto density = [](int shell) { return shell > kShells ? Real{1} : 1 + static_cast<Real>(201 - shell) / 2000; };
+    const Real x = 4 * a, p = square_root(16 * a * a + 9 * b * b);
+    int surfaces = 0;
+    // Sine and cosine of the whole turn, by the theorem of addition.
+    Real sine = 0, cosine = 1;
+    const auto turn = [&](Real s, Real c) {
+      const Real sum = sine * c + cosine * s;
+      cosine = cosine * c - sine * s;
+      sine = sum;
+    };
+    const auto other = [](Real s) { return square_root(1 - s * s); };
+    for (int shell = kShells; shell >= 1; --shell) {
+      const Real radius = 1 + static_cast<Real>(shell) / 200;
+      const Real outside = p / (density(shell + 1) * radius), inside = p / (density(shell) * radius);
+      if (magnitude(outside - 1) < 1e-9) return std::nullopt;
+      if (outside > 1) break;
+      surfaces += 2;
+      for (int side = 0; side < 2; ++side) {
+        turn(outside, other(outside));
+        turn(-inside, other(inside));
+      }
+    }
+    if (surfaces > kLevels - 3 && surfaces < kLevels + 3) return std::nullopt;
+    if (surfaces > kLevels) return Rgb{0, 0, 0};
+    const Real at_wall = (p - 3 * sine) / cosine;
+    return band(4 * x / p * at_wall);
+  };
+}
+
 // The ray (4a - 2s, 3b, -2) + t (s, 0, 1) enters the slab at x = 4a and leaves it tan(b) further on, with
 // sin b = sin a / ior, tan a = s.
 ClosedForm slab_before_stripes(double ior, double slant) {
@@ -236,8 +270,8 @@ ClosedForm slab_before_stripes(double ior, double slant) {
   };
 }
 
-ClosedForm unit_disc() {
-  return [](Real a, Real b) { return object_by_sign(1 - square_root(16 * a * a + 9 * b * b), 1e-4); };
+ClosedForm unit_disc(double undecided) {
+  return [undecided](Real a, Real b) { return object_by_sign(1 - square_root(16 * a * a + 9 * b * b), undecided); };
 }
 
 ClosedForm double_cone(bool from_above) {

@@ -18,8 +18,9 @@ ClosedForm icosahedron();
 ClosedForm turned_box();
 ClosedForm clear_box_on_floor();
 ClosedForm shells();
+ClosedForm glass_shells();
 ClosedForm slab_before_stripes(double ior, double slant);
-ClosedForm unit_disc();
+ClosedForm unit_disc(double undecided);  // nothing is said nearer than that to the rim
 ClosedForm double_cone(bool from_above);
 ClosedForm bent_tube();
 

@@ -42,8 +42,12 @@ inline constexpr int kWidth = 80, kHeight = 60;
 
 const std::vector<ExtremeCase>& cases();
 
+// An oracle that leaves more undecided is none.
+inline constexpr double kMostUndecided = 0.02;
+
 struct Measured {
-  double error = 1;     // the worst of all variants
+  double error = 1;      // the worst of all variants
+  double undecided = 0;  // share of the pixels about which the oracle says nothing
   std::string worst;    // the variant
   std::string failure;  // not empty: no picture, and why
 };

@@ -18,6 +18,7 @@ TEST_P(Extreme, AgreesWithTheOracle) {
   const Measured measured = measure(GetParam(), LUTE_BINARY_DIR "/lute");
   ASSERT_EQ(measured.failure, "");
   EXPECT_LE(measured.error, GetParam().allowed) << measured.worst << "; rule: " << GetParam().rule;
+  EXPECT_LE(measured.undecided, kMostUndecided);
 }
 
 std::string test_name(const testing::TestParamInfo<ExtremeCase>& info) {

@@ -42,19 +42,23 @@ compare::Picture picture_of(const ExtremeCase& extreme, const std::vector<std::s
 
 double share(int count) { return static_cast<double>(count) / (kWidth * kHeight); }
 
-double distance_from(const ClosedForm& oracle, const compare::Picture& picture) {
-  int wrong = 0;
+void compare_with(const ClosedForm& oracle, const compare::Picture& picture, Measured& measured) {
+  int wrong = 0, undecided = 0;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const Real a = (Real{2} * x + 1 - kWidth) / (2 * kWidth), b = (kHeight - Real{2} * y - 1) / (2 * kHeight);
       const std::optional<Rgb> light = oracle(a, b);
-      if (!light) continue;
+      if (!light) {
+        ++undecided;
+        continue;
+      }
       const Rgb expected{compare::srgb_encoded((*light)[0]), compare::srgb_encoded((*light)[1]),
                          compare::srgb_encoded((*light)[2])};
       wrong += differ(picture.at(x, y), expected) ? 1 : 0;
     }
   }
-  return share(wrong);
+  measured.error = share(wrong);
+  measured.undecided = share(undecided);
 }
 
 double distance_between(const compare::Picture& a, const compare::Picture& b) {
@@ -75,7 +79,7 @@ Measured measure(const ExtremeCase& extreme, const std::string& program) {
   try {
     const compare::Picture first = picture_of(extreme, {}, program);
     if (const auto* oracle = std::get_if<ClosedForm>(&extreme.oracle)) {
-      measured.error = distance_from(*oracle, first);
+      compare_with(*oracle, first, measured);
       return measured;
     }
     double worst = 0;

@@ -1,5 +1,5 @@
 # Thin: each target installs what is missing, builds, runs. A second run does nothing twice.
-.PHONY: build render test conformance coverage accuracy report compare bench asan setup setup-test setup-bench
+.PHONY: build render test conformance coverage accuracy cost report compare bench asan setup setup-test setup-bench
 
 build: build/build.ninja
 	@cmake --build build
@@ -30,6 +30,10 @@ coverage: setup-test build
 accuracy: setup-test build
 	@cmake --build build --target lute-accuracy
 	@build/bin/lute-accuracy docs/accuracy.md
+
+# The table of docs/cost.md: what a scene pays for features that it does not use. Five builds.
+cost: setup-bench build/build.ninja
+	@tools/measure-cost
 
 # Error against run time of both programs on ten scenes: report/sweep.html, the table of docs/antialiasing.md and the chart
 # of the README.

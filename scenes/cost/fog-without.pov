@@ -1,3 +1,4 @@
-// base.inc without the feature "fog" of its partner.
+// fog.inc without fog.
 #version 3.7;
-#include "base.inc"
+#declare With = 0;
+#include "fog.inc"

@@ -1,4 +1,4 @@
-// base.inc in fog.
+// fog.inc with fog.
 #version 3.7;
-#include "base.inc"
-fog { distance 12 rgb 0.7 }
+#declare With = 1;
+#include "fog.inc"

@@ -1,3 +1,4 @@
-// base.inc without the feature "highlights" of its partner.
+// highlights.inc without highlights.
 #version 3.7;
-#include "base.inc"
+#declare With = 0;
+#include "highlights.inc"

@@ -1,3 +1,4 @@
-// base.inc without the feature "normals" of its partner.
+// normals.inc without normals.
 #version 3.7;
-#include "base.inc"
+#declare With = 0;
+#include "normals.inc"

@@ -1,4 +1,4 @@
-// base.inc with bumps.
+// normals.inc with normals.
 #version 3.7;
-#declare Bumps = 1;
-#include "base.inc"
+#declare With = 1;
+#include "normals.inc"

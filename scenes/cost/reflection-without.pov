@@ -1,3 +1,4 @@
-// base.inc without the feature "reflection" of its partner.
+// reflection.inc without reflection.
 #version 3.7;
-#include "base.inc"
+#declare With = 0;
+#include "reflection.inc"

@@ -1,4 +1,4 @@
-// base.inc with mirrors.
+// reflection.inc with reflection.
 #version 3.7;
-#declare Look = finish { ambient 0.1 diffuse 0.5 reflection 0.4 }
-#include "base.inc"
+#declare With = 1;
+#include "reflection.inc"

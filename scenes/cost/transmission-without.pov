@@ -1,3 +1,4 @@
-// base.inc without the feature "transmission" of its partner.
+// transmission.inc without transmission.
 #version 3.7;
-#include "base.inc"
+#declare With = 0;
+#include "transmission.inc"

@@ -1,4 +1,4 @@
-// base.inc with clear solids.
+// transmission.inc with transmission.
 #version 3.7;
-#declare Paint = pigment { rgbf <0.9, 0.8, 0.7, 0.8> }
-#include "base.inc"
+#declare With = 1;
+#include "transmission.inc"

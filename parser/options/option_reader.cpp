@@ -152,12 +152,16 @@ class Reader {
   [[noreturn]] void unknown_switch(const std::string& word) const {
     const std::string body = word.substr(1);
     std::vector<std::string> long_names;
+    const OptionRow* longest = nullptr;  // +AEnan is a mistake about +AE, not about +A
     for (const OptionRow& row : option_table()) {
       long_names.push_back(long_name_of(row));
       if (row.switch_name.empty() || !lower_case(body).starts_with(lower_case(row.switch_name))) continue;
       if (row.switch_name.size() < 2 && row.tail == SwitchTail::kNothing) continue;
+      if (longest == nullptr || row.switch_name.size() > longest->switch_name.size()) longest = &row;
+    }
+    if (longest != nullptr) {
       throw OptionError("the switch '" + word + "' is not understood",
-                        "'+" + std::string(row.switch_name) + "' takes " + tail_text(row.tail));
+                        "'+" + std::string(longest->switch_name) + "' takes " + tail_text(longest->tail));
     }
     throw OptionError("unknown switch '" + word + "'", suggestion(lower_case(body), long_names, "--"));
   }

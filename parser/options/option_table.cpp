@@ -41,7 +41,7 @@ void set_sampling_method(O& o, const V& v) {
 }
 
 void set_error_bound(O& o, const V& v) {
-  if (!(v.number > 0)) throw OptionError("the error bound of antialiasing must be greater than 0");
+  if (!(v.number > 0 && v.number <= 1)) throw OptionError("the error bound of antialiasing must be above 0 and at most 1");
   o.antialiasing.error_bound = v.number;
 }
 

@@ -17,6 +17,23 @@ constexpr const char* kPng = "\x89PNG";
 
 using CommandLine = LuteFolder;
 
+// Specification chapter 30 §12 M: POV-Ray exits with 1 for all of these.
+TEST_F(CommandLine, AsPovrayMistakesInOptionsExitWithOne) {
+  fs::create_symlink(LUTE_BINARY_DIR "/lute", path("povray"));
+  for (const char* mistake : {"+A1", "+Qx", "+FX", "+ZZ", "Foo=5", "+FN16x"}) {
+    EXPECT_EQ(run_lute({path("small.pov"), mistake}, "", 0, path("povray")).exit_code, 1) << mistake;
+    EXPECT_EQ(run_lute({path("small.pov"), mistake}).exit_code, 2) << mistake;
+  }
+}
+
+TEST_F(CommandLine, MistakesBehindASwitchAreToldOfTheLongestSwitch) {
+  EXPECT_THAT(run_lute({path("small.pov"), "+AEnan"}).error, HasSubstr("'+AE' takes a number"));
+  EXPECT_THAT(run_lute({path("small.pov"), "+AMx"}).error, HasSubstr("'+AM' takes a whole number"));
+  EXPECT_THAT(run_lute({path("small.pov"), "+A1"}).error, HasSubstr("'+A' takes nothing or a number like 0.3"));
+  EXPECT_THAT(run_lute({path("small.pov"), "+AE99"}).error, HasSubstr("above 0 and at most 1"));
+  EXPECT_EQ(run_lute({path("small.pov"), "+AE1", "+W4", "+H3"}).exit_code, 0);
+}
+
 TEST_F(CommandLine, HelpAndVersionGoToStandardOutput) {
   const LuteRun help = run_lute({"--help"});
   EXPECT_EQ(help.exit_code, 0);

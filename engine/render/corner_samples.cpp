@@ -100,16 +100,23 @@ CornerSamples::Corners CornerSamples::of_pixel(int x, int y) const {
 
 // How much two of the twelve corners around pixel (x, y), with the pixel between them, both differ from the mean of its own.
 // Beside one straight edge they never do: it has the pixel on the side of one of the two. In a pattern they do, even where
-// the pixel's own corners happen to be alike.
-double CornerSamples::contrast_across(int x, int y) const {
+// the pixel's own corners happen to be alike. `least` where it is less.
+double CornerSamples::contrast_across(int x, int y, double least) const {
   constexpr std::size_t kAround = 12;
   constexpr std::array<std::pair<int, int>, kAround> kRing{
       {{-1, -1}, {0, -1}, {1, -1}, {2, -1}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {-1, 2}, {-1, 1}, {-1, 0}}};
   const Corners own = of_pixel(x, y);
   const dvec4 mean(0.25f * (own[0]->coded + own[1]->coded + own[2]->coded + own[3]->coded));
   std::array<double, kAround> differences;
-  for (std::size_t i = 0; i < kAround; ++i) differences[i] = difference(x + kRing[i].first, y + kRing[i].second, mean);
-  double most = 0;
+  const Sample* const first = &samples_[index(x, y)];
+  double greatest = 0;
+  for (std::size_t i = 0; i < kAround; ++i) {
+    const Sample& sample = first[kRing[i].second * area_of_black_.columns() + kRing[i].first];
+    differences[i] = metric_.mean_square(dvec4(sample.coded) - mean);
+    greatest = std::max(greatest, differences[i]);
+  }
+  if (greatest <= least) return least;
+  double most = least;
   for (std::size_t i = 0; i < kAround; ++i) {
     // The line to the fifth, sixth and seventh along the ring crosses the pixel.
     const double across = std::max({differences[(i + 5) % kAround], differences[(i + 6) % kAround],
@@ -122,7 +129,7 @@ double CornerSamples::contrast_across(int x, int y) const {
 double CornerSamples::error_of_pixel(int x, int y, double allowed) const {
   constexpr double kShare = 1.0 / 16;
   const double error = error_of_corners(metric_, of_pixel(x, y));
-  return error > allowed ? error : std::max(error, kShare * contrast_across(x, y));
+  return error > allowed ? error : kShare * contrast_across(x, y, error / kShare);
 }
 
 }  // namespace lute

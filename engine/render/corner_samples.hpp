@@ -44,7 +44,7 @@ class CornerSamples {
   void trace(int x, int y, PixelSource& source);
   double difference(int x, int y, const dvec4& from) const;  // mean square
   double contrast_farther(int x, int y, const dvec4& mean) const;
-  double contrast_across(int x, int y) const;
+  double contrast_across(int x, int y, double least) const;
   bool interpolate(int x, int y, double bound);  // false: the corners around differ
 
   PixelArea area_, area_of_black_;

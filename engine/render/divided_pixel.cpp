@@ -11,6 +11,19 @@ constexpr double kGainOfDivision = 7.0 / 8;  // an edge crosses two of four part
 constexpr std::size_t kFewestForAPattern = 10;  // cells: fewer can differ all round beside one edge
 constexpr double kLongestEdge = 2.6;  // in sides of the pixel: the steps that cells make of one straight edge, with their roughness
 
+// Of the pixel divided evenly.
+template <class CellMap>
+constexpr CellMap cells_of_level(int level, int side) {
+  CellMap map{};
+  const int size = side >> level;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      map[static_cast<std::size_t>(y * side + x)] = static_cast<std::uint16_t>((y / size << level) + x / size);
+    }
+  }
+  return map;
+}
+
 }  // namespace
 
 Color DividedPixel::render(int x, int y, const CornerSamples::Corners& corners, int first_level) {
@@ -20,11 +33,10 @@ Color DividedPixel::render(int x, int y, const CornerSamples::Corners& corners, 
   const SobolCells points((static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32) |
                           static_cast<std::uint32_t>(y));
   cells_.clear();
+  static constexpr auto kFirstLevel = cells_of_level<CellMap>(1, kSide), kSecondLevel = cells_of_level<CellMap>(2, kSide);
+  owner_ = first_level == 1 ? kFirstLevel : kSecondLevel;
   const int across = 1 << first_level;
-  for (int i = 0; i < across * across; ++i) {
-    cells_.push_back(sampled(points, first_level, i % across, i / across));
-    paint(cells_.size() - 1);
-  }
+  for (int i = 0; i < across * across; ++i) cells_.push_back(sampled(points, first_level, i % across, i / across));
   estimate();
   if (error_ <= allowed_ && first_level == 1) return mean_with(corners);
   while (error_ > allowed_ && divide_worst(points)) estimate();

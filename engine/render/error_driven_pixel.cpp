@@ -53,21 +53,32 @@ PixelArea FindingMap::around(const PixelArea& block) const {
           std::min(block.last_column + kReach, area_.last_column), std::min(block.last_row + kReach, area_.last_row)};
 }
 
-bool FindingMap::any_pattern_near(const PixelArea& block) const {
-  bool any = false;
-  for_each_pixel(around(block), [&](int x, int y) { any = any || at(x, y).pattern > 0; });
-  return any;
-}
-
-double FindingMap::pattern_near(int x, int y) const {
-  int count = 0;
-  double sum = 0;
-  for_each_pixel(around({x, y, x, y}), [&](int column, int row) {
-    const double pattern = at(column, row).pattern;
-    count += pattern > 0 ? 1 : 0;
-    sum += pattern;
+std::vector<double> FindingMap::patterns_near(const PixelArea& block) const {
+  struct Near {
+    int count = 0;
+    double sum = 0;
+  };
+  std::vector<Near> near;
+  const auto place = [&block](int x, int y) {
+    return static_cast<std::size_t>(y - block.first_row) * static_cast<std::size_t>(block.columns()) +
+           static_cast<std::size_t>(x - block.first_column);
+  };
+  for_each_pixel(around(block), [&](int x, int y) {
+    const double pattern = at(x, y).pattern;
+    if (!(pattern > 0)) return;
+    near.resize(static_cast<std::size_t>(block.pixels()));
+    const PixelArea reached{std::max(x - kReach, block.first_column), std::max(y - kReach, block.first_row),
+                            std::min(x + kReach, block.last_column), std::min(y + kReach, block.last_row)};
+    for_each_pixel(reached, [&](int column, int row) {
+      Near& n = near[place(column, row)];
+      ++n.count;
+      n.sum += pattern;
+    });
   });
-  return count < kFewestNear ? 0 : sum / count;
+  std::vector<double> means;
+  means.reserve(near.size());
+  for (const Near& n : near) means.push_back(n.count < kFewestNear ? 0 : n.sum / n.count);
+  return means;
 }
 
 void render_error_driven_block(const PixelArea& block, double bound, const CornerSamples& corners,
@@ -89,12 +100,14 @@ void render_error_driven_block(const PixelArea& block, double bound, const Corne
 void look_again_at_block(const PixelArea& block, double bound, const CornerSamples& corners, const DisplayMetric& metric,
                          PixelSource& source, const ErrorDrivenTarget& target, const FindingMap& before,
                          FindingMap& after) {
-  if (!before.any_pattern_near(block)) return;
+  const std::vector<double> patterns = before.patterns_near(block);
+  if (patterns.empty()) return;
   DividedPixel pixel(metric, source, bound);
   BlockTarget out(target, after);
+  std::size_t number = 0;
   for_each_pixel(block, [&](int x, int y) {
-    if (before.at(x, y).cells >= kCellsOfSecondLevel) return;
-    if (kRiskNearAPattern * before.pattern_near(x, y) <= bound * bound) return;
+    const double pattern = patterns[number++];
+    if (kRiskNearAPattern * pattern <= bound * bound || before.at(x, y).cells >= kCellsOfSecondLevel) return;
     out.put(x, y, pixel.render(x, y, corners.of_pixel(x, y), 2), pixel);
   });
 }

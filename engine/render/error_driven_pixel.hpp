@@ -29,10 +29,9 @@ class FindingMap {
   const PixelArea& area() const { return area_; }
   PixelFinding& at(int x, int y) { return findings_[index(x, y)]; }
   const PixelFinding& at(int x, int y) const { return findings_[index(x, y)]; }
-  // The mean of the patterns among the pixels up to kReach away; 0 when there are only a few, as where edges meet.
-  double pattern_near(int x, int y) const;
-
-  bool any_pattern_near(const PixelArea& block) const;
+  // For each pixel of a block the mean of the patterns among the pixels up to kReach away; 0 where there are only a few, as
+  // where edges meet. Empty: there are none near the whole block.
+  std::vector<double> patterns_near(const PixelArea& block) const;
 
   static constexpr int kReach = 2;
 

@@ -1,5 +1,5 @@
 // libFuzzer target: any bytes through the lexer alone. In a large file runs of literals are one token until they are read, which may
-// show nowhere: the bytes are also lexed as the end of one.
+// show nowhere, and neither may the pieces in which it is lexed: the bytes are also lexed as the end of one.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -13,12 +13,17 @@ constexpr std::size_t kLarge = 1u << 20;  // bytes of a file in which runs are l
 constexpr std::size_t kRun = 8192;        // more than the least bytes of a run
 constexpr std::size_t kMostErrors = 1000;
 
-std::vector<lute::Token> tokens_of(const std::string& text, bool runs) {
+lute::Tokens tokens_of(const std::string& text, bool in_pieces) {
   lute::Names names;
   lute::SourceFile file;
   file.set_text(lute::FileText(text));
-  lute::lex(file, names, true, runs);
-  std::vector<lute::Token> all, piece;
+  if (in_pieces) {
+    lute::begin_lexing(file, names, true);
+    while (!file.complete()) lute::lex_more(file, names);
+  } else {
+    lute::lex(file, names, true);
+  }
+  lute::Tokens all, piece;
   for (const lute::Token& token : file.tokens) {
     if (token.kind != lute::TokenKind::kRun) {
       all.push_back(token);
@@ -38,7 +43,7 @@ std::vector<lute::Token> tokens_of(const std::string& text, bool runs) {
   return all;
 }
 
-void expect_same(const std::vector<lute::Token>& a, const std::vector<lute::Token>& b) {
+void expect_same(const lute::Tokens& a, const lute::Tokens& b) {
   if (a.size() != b.size()) std::abort();
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].kind != b[i].kind || a[i].offset != b[i].offset) std::abort();

@@ -37,10 +37,17 @@ SourceLocation Session::locate(std::uint32_t file, const Token* token) const {
 
 namespace {
 
+// Behind the last token of a file.
+std::uint32_t end_of_tokens(const SourceFile& file) {
+  if (file.tokens.size() < 2) return 0;
+  const Token& last = file.tokens[file.tokens.size() - 2];
+  return last.kind == TokenKind::kRun ? file.runs[last.index].end : token_end(file, last);
+}
+
 // A line may be as long as its file (one that is no text): what lies far behind the place is left out.
-std::string_view excerpt(std::string_view line, SourceLocation where) {
+std::string_view excerpt(const SourceFile& file, SourceLocation where) {
   constexpr std::size_t kBehind = 1024;  // a message shows less than that
-  return line.substr(0, where.column + kBehind);
+  return file.line(where.line, where.column + kBehind);
 }
 
 }  // namespace
@@ -58,9 +65,14 @@ Diagnostic Session::diagnose(Severity severity, std::string code, std::string me
   }
   const SourceFile& source = *files[file];
   d.file = source.name;
-  d.where = source.locate(token->offset);
-  d.end_column = d.where.column + token_end(source, *token) - token->offset;
-  d.excerpt = excerpt(source.line(d.where.line), d.where);
+  if (token->kind == TokenKind::kEnd) {  // empty lines and comments at the end say nothing: behind the last token
+    d.where = source.locate(end_of_tokens(source));
+    d.end_column = d.where.column;
+  } else {
+    d.where = source.locate(token->offset);
+    d.end_column = d.where.column + token_end(source, *token) - token->offset;
+  }
+  d.excerpt = excerpt(source, d.where);
   // The way to the place: from the innermost frame out.
   constexpr std::size_t kMostNotes = 20;
   for (std::size_t i = stream.frames.size(); i-- > 1 && d.chain.size() < kMostNotes;) {
@@ -176,6 +188,7 @@ std::string printed_name(const Session& session, const Item& item) {
       if (item.slot->empty()) return "empty array";
       const std::string_view type = type_name(*item.slot);
       if (type == "float identifier") return "float function 'float identifier'";
+      if (type == "vector identifier") return "vector function 'vector identifier'";
       return std::string(type);
     }
     case TokenKind::kOther: return std::string(1, static_cast<char>(item.token.index));

@@ -115,7 +115,7 @@ bool run(PngJob& job, const EncodedImage& image, int bits, const GammaCurve& dec
 
 void write_png(const std::string& path, const EncodedImage& image, const GammaCurve& declared) {
   PngJob job;
-  const int bits = std::bit_width(static_cast<unsigned>(image.max));
+  const int bits = static_cast<int>(std::bit_width(static_cast<unsigned>(image.max)));
   job.row.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels) * (bits > 8 ? 2 : 1));
   job.file = std::fopen(path.c_str(), "wb");
   if (job.file == nullptr) throw std::runtime_error(std::strerror(errno));

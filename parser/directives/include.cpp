@@ -23,7 +23,7 @@ SourceFile& Session::add_file(std::string name, FileText text, bool main_file) {
   file->name = std::move(name);
   file->set_text(std::move(text));
   file->index = static_cast<std::uint32_t>(files.size());
-  lex(*file, names, main_file, true);
+  begin_lexing(*file, names, main_file);
   if (file->byte_order_mark) language.charset = Reader::Charset::kUtf8;
   scene.files.push_back(file->name);
   files.push_back(std::move(file));
@@ -31,7 +31,7 @@ SourceFile& Session::add_file(std::string name, FileText text, bool main_file) {
 }
 
 SourceFile* Session::load(const std::string& path) {
-  if (const auto known = by_path.find(path); known != by_path.end()) return known->second;
+  if (const auto known = by_path.find(path); known != by_path.end() && !known->second->forgotten) return known->second;
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   if (error || !is_file(path)) return nullptr;
@@ -43,7 +43,7 @@ SourceFile* Session::load(const std::string& path) {
   std::optional<FileText> text = FileText::of_file(path, size);
   if (!text) return nullptr;
   SourceFile& file = add_file(path, std::move(*text), files.empty());
-  by_path.emplace(path, &file);
+  by_path.insert_or_assign(path, &file);
   return &file;
 }
 

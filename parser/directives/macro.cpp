@@ -48,6 +48,7 @@ void run_macro(Session& session) {
   skip(session, true);
   if (stream.frames.size() != depth) session.fail("End of file reached but #end expected.", "missing-end");
   macro->end = stream.frames.back().cursor - 2;
+  stream.keep(*macro);
   if (name.slot) {
     *name.slot = MacroPtr(macro);
   } else {

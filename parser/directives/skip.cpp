@@ -25,6 +25,10 @@ Word skip(Session& session, bool to_end) {
   for (std::size_t depth = 0;;) {
     TokenFrame& frame = stream.frames.back();
     const Token& token = *frame.cursor;
+    if (token.kind == TokenKind::kMore) {
+      stream.read_ahead(1);
+      continue;
+    }
     if (frame.cursor == frame.end || token.kind == TokenKind::kError) {
       // A conditional may end in the file that includes this one; a macro's body is complete in itself.
       if (frame.macro || stream.frames.size() == 1 || token.kind == TokenKind::kError) {

@@ -1,5 +1,6 @@
 #include "parser/directives/token_stream.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -102,10 +103,45 @@ void TokenStream::leave_run(TokenFrame& frame) {
   frame.behind_run = nullptr;
 }
 
-// True if the cursor has moved to another piece of a run, or behind it.
+// The next piece of a large file: the token at its former end is another one now.
+void TokenStream::lex_on(SourceFile& file) {
+  lex_more(file, session_.names);
+  const Token* const end = file.tokens.data() + file.tokens.size() - 1;
+  for (TokenFrame& frame : frames) {
+    if (frame.file == &file && !frame.macro) (frame.in_run() ? frame.end_behind_run : frame.end) = end;
+  }
+}
+
+// Between two statements: of a large file that is not inside a loop or a macro, what lies behind is not read again.
+void TokenStream::forget_passed(const Token* before) {
+  constexpr std::ptrdiff_t kMany = 1 << 16, kLookedAtByMessages = 1 << 10;
+  const TokenFrame& frame = frames.back();
+  SourceFile& file = *frame.file;
+  if (frame.macro || frame.in_run() || before - (file.tokens.data() + file.kept_from) < kMany || repeating_ > 0) return;
+  const auto same = [&file](const TokenFrame& other) { return other.file == &file; };
+  if (std::ranges::count_if(frames, same) > 1) return;
+  file.forget_tokens(before - kLookedAtByMessages);
+}
+
+void TokenStream::keep(const Macro& macro) {
+  macro.file->kept_from = std::max(macro.file->kept_from, macro.file->token_index(macro.end) + 2);
+}
+
+void TokenStream::read_ahead(std::size_t tokens) {
+  const TokenFrame& frame = frames.back();
+  if (frame.macro) return;
+  const Token* const from = frame.in_run() ? frame.behind_run : frame.cursor;
+  while (!frame.file->complete() && frame.file->tokens.size() - frame.file->token_index(from) <= tokens) lex_on(*frame.file);
+}
+
+// True if the cursor has moved to another piece of a run, or behind it, or if more of the file was read.
 bool TokenStream::settle_once() {
   TokenFrame& frame = frames.back();
   if (!frame.in_run()) {
+    if (frame.cursor->kind == TokenKind::kMore && !frame.macro) {
+      lex_on(*frame.file);
+      return true;
+    }
     if (frame.cursor == frame.end || frame.cursor->kind != TokenKind::kRun) return false;
     frame.run = frame.cursor->index;
     frame.run_position = frame.file->runs[frame.run].begin;
@@ -118,7 +154,7 @@ bool TokenStream::settle_once() {
     return true;
   }
   frame.piece ^= 1;
-  std::vector<Token>& piece = pieces_[frame.piece];
+  Tokens& piece = pieces_[frame.piece];
   lex_run(*frame.file, session_.names, frame.file->runs[frame.run], frame.run_position, piece);
   frame.cursor = piece.data();
   frame.end = piece.data() + piece.size() - 1;
@@ -159,7 +195,10 @@ void TokenStream::fetch(bool directives_allowed) {
   assert(window_size_ == 0);
   const bool between_statements = std::exchange(between_statements_, false);
   for (;;) {
-    if (between_statements) session_.recovery.begin_statement(frames.size(), conditionals.size(), frames.back().cursor);
+    if (between_statements) {
+      session_.recovery.begin_statement(frames.size(), conditionals.size(), frames.back().cursor);
+      forget_passed(frames.back().cursor);
+    }
     session_.resources.count_token();
     if (at_frame_end()) continue;
     TokenFrame& frame = frames.back();
@@ -213,6 +252,7 @@ void TokenStream::resolve(Item& item, bool read_subscripts) {
   if (!read_subscripts) return;
   // An element of an array of arrays may be subscripted again.
   while (const ArrayPtr* array = item.slot->get_if<ArrayPtr>()) {
+    settle();
     const TokenFrame& frame = frames.back();
     if (frame.cursor == frame.end || frame.cursor->kind != TokenKind::kLeftSquare) break;
     const ArrayPtr keep = *array;

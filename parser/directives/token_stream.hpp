@@ -30,7 +30,7 @@ struct TokenFrame {
 
 // An open #if, #while, #for, #switch or macro call.
 struct Conditional {
-  enum class Kind : std::uint8_t { kIf, kElse, kWhile, kFor, kSwitch, kMacro };
+  enum class Kind : std::uint8_t { kIf, kElse, kWhile, kFor, kSwitch, kSwitchHead, kMacro };  // kSwitchHead: in front of the first #case
   Kind kind = Kind::kIf;
   std::uint32_t frame = 0;         // depth of the frame it began in
   const Token* start = nullptr;    // its directive; of a loop where the condition begins
@@ -89,7 +89,11 @@ class TokenStream {
   void pop_conditional();
   void enter_file(SourceFile& file);
   void enter_macro(MacroPtr macro);
+  // For code that looks at tokens ahead of the cursor: the innermost frame's file has this many behind it then, or it is complete.
+  void read_ahead(std::size_t tokens);
   void leave_macro();
+  // A macro's body was read: its tokens stay when those around it are forgotten.
+  void keep(const Macro& macro);
   // After an error: leaves frames and conditionals until no more than these are left; the window is emptied.
   void unwind(std::size_t frame_count, std::size_t conditional_count);
 
@@ -137,12 +141,14 @@ class TokenStream {
   void settle();        // reads the next piece where a run of literals begins or goes on
   bool settle_once();
   void leave_run(TokenFrame& frame);
+  void lex_on(SourceFile& file);
+  void forget_passed(const Token* before);
   bool at_frame_end();  // handles the end of a macro's body or of an included file; false when there is a token to read
   void resolve(Item& item, bool read_subscripts);
   [[noreturn]] void fail_unreadable(const TokenFrame& frame);
 
   Session& session_;
-  std::vector<Token> pieces_[2];  // of runs, in turn: what was read last may still be asked about
+  Tokens pieces_[2];  // of runs, in turn: what was read last may still be asked about
   Item window_[2];
   int window_size_ = 0;
   bool after_operand_ok_ = true;

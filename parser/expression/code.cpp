@@ -28,7 +28,7 @@ void end_recording(Session& session, Level level) {
   if (stream.frames.back().in_run() || next.file != file.index || next.source <= code.begin) return;
   code.end = next.source;
   code.level = level;
-  if (file.expression_codes.empty()) file.expression_codes.resize(file.tokens.size());
+  if (file.expression_codes.size() < file.tokens.size()) file.expression_codes.resize(file.tokens.size());
   code.scalar = scalar_code(code);
   std::uint32_t& entry = file.expression_codes[file.token_index(code.begin)];
   code.next = entry;
@@ -42,7 +42,7 @@ bool run_compiled(Session& session, Level level, Number& result) {
   TokenFrame& frame = stream.frames.back();
   SourceFile& file = *frame.file;
   if (file.expression_codes.empty() || frame.in_run() || frame.cursor == frame.end) return false;
-  std::uint32_t index = file.expression_codes[file.token_index(frame.cursor)];
+  std::uint32_t index = file.code_at(frame.cursor);
   while (index != 0 && session.expressions.codes[index].level != level) index = session.expressions.codes[index].next;
   if (index == 0) return false;
   const Code& code = session.expressions.codes[index];

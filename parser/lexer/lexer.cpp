@@ -1,6 +1,7 @@
 // The lexer: Boost.Spirit X3, dispatching on the first byte; blanks and comments are tokens that leave nothing behind. No
 // skipper, no synthesised attributes, plain pointers: measured 1.3 to 1.5 times the time of a hand-written scanner.
 // Source: specification chapter 10 §1.1-1.3.
+#include <algorithm>
 #include <array>
 #include <boost/spirit/home/x3.hpp>
 #include <charconv>
@@ -28,10 +29,20 @@ struct LexFailure {
 struct LexState {
   SourceFile& file;
   Names& names;
-  std::vector<Token>& tokens;
+  Tokens& tokens;
   const char* begin;
+  const char* piece_end;              // behind this no more tokens are made, unless the last one is a `#`
   const char* next_run = nullptr;     // where it is worth looking for a run of literals again; null: never
   const char* token_begin = nullptr;  // set by Dispatch: an action cannot know where its match started
+
+  bool piece_ends_at(const char* p) const { return p >= piece_end && !behind_hash(); }
+  // A directive's `#` is followed by its word; of nothing but many of them the file is no scene.
+  bool behind_hash() const {
+    constexpr std::size_t kMany = 64;
+    const auto is_hash = [](const Token& token) { return token.kind == TokenKind::kHash; };
+    if (tokens.empty() || !is_hash(tokens.back())) return false;
+    return tokens.size() < kMany || !std::all_of(tokens.end() - kMany, tokens.end(), is_hash);
+  }
 
   Token& push(TokenKind kind) {
     Token token;
@@ -228,7 +239,9 @@ struct Dispatch : x3::parser<Dispatch<P...>> {
   template <class It, class C, class R, class A>
   bool parse(It& first, It const& last, C const& context, R& rcontext, A&) const {
     if (first == last) return false;
-    x3::get<LexTag>(context).get().token_begin = first;
+    LexState& state = x3::get<LexTag>(context).get();
+    if (state.piece_ends_at(first)) return false;
+    state.token_begin = first;
     return pick<0>(class_of(*first), first, last, context, rcontext);
   }
 };
@@ -326,14 +339,14 @@ auto make_tokens() {
 
 namespace {
 
-// From p to the end, past what cannot be read.
-void lex_text(LexState& state, const char* p, const char* end) {
+// From p to the end of the piece or the text, past what cannot be read; kEnd or kMore follows. Returns where it ended.
+const char* lex_text(LexState& state, const char* p, const char* end) {
   static const auto tokens = make_tokens();
   const auto grammar = x3::with<LexTag>(std::ref(state))[tokens];
-  while (p != end) {
+  while (p != end && !state.piece_ends_at(p)) {
     try {
       x3::parse(p, end, grammar);
-      if (p != end) fail_illegal(p, end);
+      if (p != end && !state.piece_ends_at(p)) fail_illegal(p, end);
     } catch (const LexFailure& failure) {
       state.token_begin = failure.where;
       state.push(TokenKind::kError).index = static_cast<std::uint32_t>(state.file.errors.size());
@@ -342,27 +355,47 @@ void lex_text(LexState& state, const char* p, const char* end) {
       p = state.file.errors.size() < kMostErrors ? std::max(failure.resume, p) : end;
     }
   }
-  state.token_begin = end;
-  state.push(TokenKind::kEnd);
+  state.token_begin = p;
+  state.push(p == end ? TokenKind::kEnd : TokenKind::kMore);
+  return p;
 }
+
+void lex_piece(SourceFile& file, Names& names, std::size_t size, bool runs) {
+  const char* const begin = file.text.data();
+  const char* const end = begin + file.text.size();
+  const char* const from = begin + file.lexed;
+  const char* const to = static_cast<std::size_t>(end - from) > size ? from + size : end;
+  if (!file.tokens.empty()) file.tokens.pop_back();
+  LexState state{file, names, file.tokens, begin, to, runs ? from : nullptr};
+  const std::uint32_t before = file.lexed;
+  file.lexed = static_cast<std::uint32_t>(lex_text(state, from, end) - begin);
+  file.storage.release(before, file.lexed);
+}
+
+void prepare(SourceFile& file, bool main_file) {
+  std::uint32_t& mark = file.lexed;
+  while (main_file && mark < file.text.size() && static_cast<unsigned char>(file.text[mark]) > 127) ++mark;
+  file.byte_order_mark = mark != 0;
+  file.tokens.reserve(file.text.size() + 2);  // a token takes at least a byte
+}
+
+constexpr std::size_t kPiece = 1u << 18;  // bytes
 
 }  // namespace
 
-void lex(SourceFile& file, Names& names, bool main_file, bool runs) {
-  const char* const begin = file.text.data();
-  const char* const end = begin + file.text.size();
-  const char* p = begin;
-  while (main_file && p != end && static_cast<unsigned char>(*p) > 127) ++p;
-  file.byte_order_mark = p != begin;
-
-  const bool large = runs && file.text.size() >= kLargeFile;
-  constexpr std::size_t kMostReserved = 16'000'000;
-  if (!large) file.tokens.reserve(std::min(file.text.size() / 4 + 16, kMostReserved));
-  LexState state{file, names, file.tokens, begin, large ? begin : nullptr};
-  lex_text(state, p, end);
+void lex(SourceFile& file, Names& names, bool main_file) {
+  prepare(file, main_file);
+  lex_piece(file, names, file.text.size(), false);
 }
 
-void lex_run(SourceFile& file, Names& names, const LiteralRun& run, std::uint32_t& position, std::vector<Token>& tokens) {
+void begin_lexing(SourceFile& file, Names& names, bool main_file) {
+  prepare(file, main_file);
+  lex_more(file, names);
+}
+
+void lex_more(SourceFile& file, Names& names) { lex_piece(file, names, kPiece, file.text.size() >= kLargeFile); }
+
+void lex_run(SourceFile& file, Names& names, const LiteralRun& run, std::uint32_t& position, Tokens& tokens) {
   constexpr std::uint32_t kChunk = 1u << 15;  // bytes
   const char* const begin = file.text.data();
   const char* const from = begin + position;
@@ -371,7 +404,7 @@ void lex_run(SourceFile& file, Names& names, const LiteralRun& run, std::uint32_
   if (run.end - position > kChunk) to = last_border(from, from + kChunk, run_end);
   if (to == from) to = run_end;
   tokens.clear();
-  LexState state{file, names, tokens, begin, nullptr};
+  LexState state{file, names, tokens, begin, to, nullptr};
   lex_text(state, from, to);
   // The memory of what was read a while ago.
   constexpr std::uint32_t kReleased = 1u << 22;
@@ -384,7 +417,8 @@ void lex_run(SourceFile& file, Names& names, const LiteralRun& run, std::uint32_
 
 std::string_view name_of(TokenKind kind) {
   switch (kind) {
-    case TokenKind::kEnd: return "End of File";
+    case TokenKind::kEnd:
+    case TokenKind::kMore: return "End of File";
     case TokenKind::kError: return "unreadable text";
     case TokenKind::kNumber: return "float constant";
     case TokenKind::kString: return "string literal";

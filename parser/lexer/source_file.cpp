@@ -37,6 +37,7 @@ namespace {
 
 constexpr std::uint32_t kMarkDistance = 512;
 constexpr std::size_t kReleased = 16u << 20;  // memory of a mapped file that was passed is given back in pieces of this size
+constexpr std::uint32_t kAnyOffset = 0xFFFFFFFF, kAnyLine = 0xFFFFFFFF;
 
 // The line end at `i`: LF, CR, CRLF and LFCR each end one line. 0: there is none, else its length.
 std::uint32_t line_end(std::string_view text, std::uint32_t i) {
@@ -48,29 +49,35 @@ std::uint32_t line_end(std::string_view text, std::uint32_t i) {
 
 }  // namespace
 
-void SourceFile::find_lines() const {
-  LineMark here;
-  line_marks_.push_back(here);
-  std::size_t released = 0;
-  for (std::uint32_t i = 0; i < text.size();) {
-    const std::uint32_t length = line_end(text, i);
-    i += length == 0 ? 1 : length;
+// Until this offset or this line is passed.
+void SourceFile::find_lines(std::uint32_t to_offset, std::uint32_t to_line) const {
+  LineMark& here = counted_;
+  while (here.offset < text.size() && here.offset <= to_offset && here.line <= to_line) {
+    const std::uint32_t length = line_end(text, here.offset);
+    here.offset += length == 0 ? 1 : length;
     if (length != 0) {
       ++here.line;
-      here.line_start = i;
+      here.line_start = here.offset;
     }
-    if (i - line_marks_.back().offset < kMarkDistance) continue;
-    here.offset = i;
+    if (here.offset - line_marks_.back().offset < kMarkDistance) continue;
     line_marks_.push_back(here);
-    if (i - released >= kReleased) {
-      storage.release(released, i);
-      released = i;
+    if (here.offset - released_ >= kReleased) {
+      storage.release(released_, here.offset);
+      released_ = here.offset;
     }
   }
 }
 
+void SourceFile::forget_tokens(const Token* before) {
+  const std::uint32_t to = token_index(before);
+  if (to <= kept_from) return;
+  ReservedPages<Token>::give_back(tokens.data() + kept_from, tokens.data() + to, tokens.capacity());
+  kept_from = to;
+  forgotten = true;
+}
+
 SourceLocation SourceFile::locate(std::uint32_t offset) const {
-  if (line_marks_.empty()) find_lines();
+  find_lines(offset, kAnyLine);
   const auto after = std::ranges::upper_bound(line_marks_, offset, {}, &LineMark::offset);
   LineMark here = *(after - 1);
   for (std::uint32_t i = here.offset; i < offset && i < text.size();) {
@@ -83,9 +90,9 @@ SourceLocation SourceFile::locate(std::uint32_t offset) const {
   return {index, here.line, offset - here.line_start + 1};
 }
 
-std::string_view SourceFile::line(std::uint32_t number) const {
-  if (line_marks_.empty()) find_lines();
+std::string_view SourceFile::line(std::uint32_t number, std::size_t most) const {
   if (number == 0) return {};
+  find_lines(kAnyOffset, number);
   // From the last mark that lies in an earlier line, or from the beginning.
   const auto after = std::ranges::lower_bound(line_marks_, number, {}, &LineMark::line);
   LineMark here = after == line_marks_.begin() ? LineMark{} : *(after - 1);
@@ -97,7 +104,7 @@ std::string_view SourceFile::line(std::uint32_t number) const {
     ++here.line;
     here.line_start = i;
   }
-  const std::string_view rest = text.substr(here.line_start);
+  const std::string_view rest = text.substr(here.line_start, most);
   return rest.substr(0, rest.find_first_of("\r\n"));
 }
 

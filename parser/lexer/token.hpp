@@ -1,4 +1,5 @@
-// Tokens: 16 bytes each, one immutable vector per file (a file is lexed once; loops and macro bodies are ranges of it).
+// Tokens: 16 bytes each, one vector per file, none of which ever changes or moves (a file is lexed once; loops and macro bodies are
+// ranges of it).
 // Source: specification chapter 10 §1.2.
 #pragma once
 
@@ -11,6 +12,7 @@ namespace lute {
 
 enum class TokenKind : std::uint8_t {
   kEnd,         // end of file; its offset is the file's size
+  kMore,        // stands behind the last token while the rest of a large file is not lexed yet
   kError,       // what the lexer could not read: `index` is an entry of SourceFile::errors
   kNumber,      // `number`
   kString,      // `index`: entry of SourceFile::strings, `\"` resolved, other escapes untouched

@@ -10,6 +10,8 @@ namespace lute {
 namespace {
 
 constexpr std::uint64_t kMostEventsBehindError = 2'000'000;
+constexpr std::size_t kMostUntoldErrors = 10'000;
+constexpr std::size_t kMostTokensBehindError = 1'000'000;  // that are searched for the next statement
 
 // The author asked for the end, or the machine did.
 bool ends_reading(const Diagnostic& diagnostic) {
@@ -40,10 +42,12 @@ bool Recovery::report(const Diagnostic& diagnostic) {
   if (!follows_from_another(diagnostic)) {
     if (errors_++ == 0) first_error_events_ = session_.stream.events;
     session_.diagnostics.report(diagnostic);
+  } else {
+    ++untold_;
   }
   told_.insert({diagnostic.where.file, diagnostic.where.line, diagnostic.where.column});
   if (diagnostic.code == "missing-include") include_missing_ = true;
-  return errors_ < session_.options.limits.errors && !ends_reading(diagnostic);
+  return errors_ < session_.options.limits.errors && untold_ < kMostUntoldErrors && !ends_reading(diagnostic);
 }
 
 bool Recovery::recover(const SceneError& error) {
@@ -75,6 +79,7 @@ bool Recovery::begins_statement(const Token& token) const {
 
 bool Recovery::move_on() {
   TokenStream& stream = session_.stream;
+  stream.read_ahead(kMostTokensBehindError);
   TokenFrame& frame = stream.frames.back();
   const Token* const first = frame.file->tokens.data();
   const auto in_frame = [&](const Token* token) { return token != nullptr && token >= first && token <= frame.end; };
@@ -91,6 +96,7 @@ bool Recovery::move_on() {
   const ResumePoint point = find_resume_point(broken);
   names_.insert(point.names.begin(), point.names.end());
   lost_ |= point.lost;
+  if (point.token->kind == TokenKind::kMore) return false;
   frame.cursor = point.token;
   resumed_at_ = point.token;
   ++stream.events;

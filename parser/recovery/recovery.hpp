@@ -53,6 +53,7 @@ class Recovery {
   const Token* error_ = nullptr;
 
   std::size_t errors_ = 0;
+  std::size_t untold_ = 0;  // that only followed from others
   std::uint64_t first_error_events_ = 0;
   const Token* resumed_at_ = nullptr;
   bool lost_ = false;                // the rest of a file was left out: its #end is missing for that reason

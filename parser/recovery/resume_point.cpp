@@ -1,5 +1,7 @@
 #include "parser/recovery/resume_point.hpp"
 
+#include <algorithm>
+
 #include "parser/directives/directive_words.hpp"
 
 namespace lute {
@@ -22,13 +24,18 @@ class Search {
   std::uint32_t line(const Token* token) const { return broken_.file->locate(token->offset).line; }
 
   bool first_of_line(const Token* token) const {
-    return token == broken_.file->tokens.data() || line(token - 1) != line(token);
+    if (token == broken_.file->tokens.data()) return true;
+    const std::uint32_t before = token[-1].offset;
+    return broken_.file->text.substr(before, token->offset - before).find_first_of("\r\n") != std::string_view::npos;
   }
 
   // Column of the first token on the line.
   std::uint32_t indentation(const Token* token) const {
-    while (!first_of_line(token)) --token;
-    return broken_.file->locate(token->offset).column;
+    const SourceLocation here = broken_.file->locate(token->offset);
+    const std::uint32_t line_start = token->offset - (here.column - 1);
+    const auto first = std::lower_bound(broken_.file->tokens.data(), token, line_start,
+                                        [](const Token& t, std::uint32_t offset) { return t.offset < offset; });
+    return first->offset - line_start + 1;
   }
 
   // Behind the error, or the error itself if the statement was read up to there.

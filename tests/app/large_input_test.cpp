@@ -44,5 +44,31 @@ TEST_F(LargeInput, NonsenseOfAHundredMegabytesIsRefusedWithinASecond) {
   EXPECT_LT(content("said").size(), 1000u);
 }
 
+// A file is lexed no further than reading comes: each ends at an error near its beginning. (`}` are errors one by one.)
+TEST_F(LargeInput, FilesOfOneWordAreRefusedWithinASecond) {
+  for (const std::string word : {"{", "(", "}", "a ", "#if(1)", "union{", "sphere ", "[", "<", "\"a\"", "1 ", "#declare a=("}) {
+    std::string text;
+    while (text.size() < 100'000'000) text += word;
+    write("word.pov", text);
+    const compare::ProcessResult result = check("word.pov");
+    EXPECT_EQ(result.exit_code, 1) << word;
+    EXPECT_LE(result.cpu, 1.0) << word;
+    EXPECT_LE(result.peak_memory, 200'000'000) << word;
+    EXPECT_THAT(content("said"), HasSubstr(": error: ")) << word;
+  }
+}
+
+// Tokens that were read are forgotten: 16 bytes for every two of the text would be 800 MB.
+TEST_F(LargeInput, StatementsThatWereReadTakeNoMemory) {
+  std::string text = "#version 3.7;\n#macro Kept() #declare Sum = Sum + 1; #end\n#declare Sum = 0;\n";
+  const std::string value = "#declare A=1;#declare B=A+(2*3);\n";
+  for (int i = 0; text.size() < 100'000'000; ++i) text += i % 10'000 == 0 ? "Kept()\n" : value;
+  write("values.pov", text + "#declare Expected = " + std::to_string(text.size() / (value.size() * 10'000)) +
+                          ";\n#if (abs(Sum - Expected) > 2) #error \"macro\" #end\nsphere { 0, 1 }\n");
+  const compare::ProcessResult result = check("values.pov");
+  EXPECT_EQ(result.exit_code, 0) << content("said");
+  EXPECT_LE(result.peak_memory, 200'000'000);
+}
+
 }  // namespace
 }  // namespace lute

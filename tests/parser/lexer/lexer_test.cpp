@@ -9,7 +9,7 @@
 namespace lute {
 namespace {
 
-std::vector<Token> tokens_of(std::string text) {
+Tokens tokens_of(std::string text) {
   Names names;
   SourceFile file;
   file.set_text(FileText(std::move(text)));

@@ -121,15 +121,41 @@ void run_else(Session& session) {
   stream.pop_conditional();
 }
 
+namespace {
+
+// Between #switch and its first #case or #range, whose keyword is returned: directives and macros are executed, but nothing may be left
+// of them.
+Word run_switch_head(Session& session) {
+  TokenStream& stream = session.stream;
+  push(session, Kind::kSwitchHead);
+  const std::size_t depth = stream.conditionals.size();
+  for (;;) {
+    const Item next = stream.peek_raw();
+    if (next.is(TokenKind::kHash)) {
+      const Token* const keyword = next.source + 1;
+      const Word word = keyword->kind == TokenKind::kWord ? keyword->word : Word::kNone;
+      if (stream.conditionals.size() > depth || (word != Word::kCase && word != Word::kRange)) {
+        run_directive(session);
+        continue;
+      }
+      stream.take_raw();
+      stream.take_raw();
+      stream.conditionals.back().kind = Kind::kSwitch;
+      return word;
+    }
+    const MacroPtr* const macro = next.slot ? next.slot->get_if<MacroPtr>() : nullptr;
+    stream.take_raw();
+    if (macro == nullptr) session.fail_at("#switch not followed by #case or #range.", "switch-without-case", next);
+    call_macro(session, MacroPtr(*macro), next);
+  }
+}
+
+}  // namespace
+
 void run_switch(Session& session) {
   TokenStream& stream = session.stream;
   const double value = parenthesised_number(session);
-  const Item hash = stream.take_raw();
-  Word word = hash.is(TokenKind::kHash) ? stream.take_raw().word() : Word::kNone;
-  if (word != Word::kCase && word != Word::kRange) {
-    session.fail("#switch not followed by #case or #range.", "switch-without-case");
-  }
-  push(session, Kind::kSwitch);
+  Word word = run_switch_head(session);
   for (;;) {
     switch (word) {
       case Word::kCase:

@@ -313,6 +313,7 @@ void run_undef(Session& session) {
     slot = select_element(session, array, subscripts);
   }
   if (subscripts > 0) {
+    if (slot->empty()) session.fail_at("Attempt to access uninitialized array element.", "uninitialized", name);
     *slot = Value();
   } else {
     session.symbols.remove(name.token.index);

@@ -111,9 +111,8 @@ void run_for(Session& session) {
 
 void run_end(Session& session) {
   TokenStream& stream = session.stream;
-  if (stream.conditionals.empty() || stream.conditionals.back().kind == Kind::kMacro) {
-    session.fail("Mis-matched '#end'.", "mismatched-directive");
-  }
+  const Kind kind = stream.conditionals.empty() ? Kind::kMacro : stream.conditionals.back().kind;
+  if (kind == Kind::kMacro || kind == Kind::kSwitchHead) session.fail("Mis-matched '#end'.", "mismatched-directive");
   const Conditional& open = stream.conditionals.back();
   const bool loop = open.kind == Kind::kWhile || open.kind == Kind::kFor;
   if (!loop) {
@@ -149,6 +148,7 @@ void run_break(Session& session) {
       return;
     }
     skip(session, true);
+    if (kind == Kind::kSwitchHead) session.fail("Mis-matched '#end'.", "mismatched-directive");
     stream.pop_conditional();
     if (kind != Kind::kIf && kind != Kind::kElse) return;
   }

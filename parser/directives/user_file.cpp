@@ -63,7 +63,7 @@ void run_fopen(Session& session) {
     case Word::kRead: open_for_reading(session, *file, name); break;
     case Word::kWrite: open_for_output(session, *file, name, std::ios::trunc); break;
     case Word::kAppend: open_for_output(session, *file, name, std::ios::app); break;
-    default: session.fail_expected("read, write, or append", mode);
+    default: session.fail_expected("read or write", mode);
   }
   session.symbols.add(id.token.index, 0, std::make_shared<Value>(UserFilePtr(std::move(file))));
 }
@@ -122,7 +122,7 @@ Value read_item(Session& session, UserFile& file) {
   }
 }
 
-// Where a #read item goes: a new global name, or a variable (or element) of a type that can be read.
+// Where a #read item goes: a new global name, or a variable (or element that has a value) of a type that can be read.
 Slot read_target(Session& session) {
   TokenStream& stream = session.stream;
   const Item name = stream.take_raw();
@@ -137,8 +137,12 @@ Slot read_target(Session& session) {
     slot = select_element(session, array, subscripts);
   }
   const Number* number = slot->get_if<Number>();
-  const bool readable = slot->empty() || slot->holds<String>() || (number != nullptr && (number->count == 1 || number->count == 3));
-  if (!readable) session.fail_expected("undeclared identifier", name);
+  const bool readable = slot->holds<String>() || (number != nullptr && (number->count == 1 || number->count == 3));
+  if (!readable) {
+    Item found = name;
+    found.slot = slot;
+    session.fail_expected("undeclared identifier", found);
+  }
   return slot;
 }
 

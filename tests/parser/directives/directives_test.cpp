@@ -77,6 +77,18 @@ TEST(Break, LeavesTheInnermostLoopSwitchOrMacro) {
   EXPECT_EQ(error_of("#break"), "Invalid context for #break");
 }
 
+// What POV-Ray 3.7 does with these scenes.
+TEST(Switch, RunsDirectivesInFrontOfItsFirstCase) {
+  EXPECT_EQ(values("#switch(2) P(1) #declare A=5; #case(1) P(7) #break #case(2) P(2) #break #end P(A)"), "1.000000\n2.000000\n5.000000\n");
+  EXPECT_EQ(values("#switch(2) #for(I,1,2) P(I) #end #if(0) P(8) #else P(9) #end #range(1,3) P(3) #end"),
+            "1.000000\n2.000000\n9.000000\n3.000000\n");
+  EXPECT_EQ(error_of("#switch(2) sphere { 0, 1 } #case(2) #end"), "#switch not followed by #case or #range.");
+  EXPECT_EQ(error_of("#switch(2) #if(1) #end #else #end"), "Mis-matched '#else'.");
+  EXPECT_EQ(error_of("#switch(2) #debug \"x\" #end"), "Mis-matched '#end'.");
+  EXPECT_EQ(error_of("#switch(2) #if(1) #case(2) #end #end"), "Mis-matched '#case' or '#range'.");
+  EXPECT_EQ(error_of("#while(1) #switch(2) #break #case(2) #end #end"), "Mis-matched '#end'.");
+}
+
 TEST(Skipping, IgnoresEverythingButNesting) {
   EXPECT_EQ(printed("#ifndef(pi_undefined_name) #debug \"ok\\n\" #else x y #foo zzz \"str #end\" $ % #end"), "ok\n");
   EXPECT_EQ(printed("#if(0) /* #end */ // #end\n\"#end\" #end #debug \"ok\\n\""), "ok\n");
@@ -94,6 +106,12 @@ TEST(Declare, NeedsItsSemicolonBehindNumbersOnly) {
   EXPECT_EQ(error_of("#declare A=5").substr(0, 60), "All #declares of float, vector, and color require semi-colon");
   EXPECT_TRUE(read_text("#declare A=\"s\" #declare A=\"s\";").ok);
   EXPECT_EQ(error_of("#declare v=3;"), "Expected 'undeclared identifier', float function 'v' found instead");
+}
+
+TEST(Array, ElementsWithoutValueCannotBeUndefined) {
+  EXPECT_EQ(error_of("#declare A=array[2] #undef A[1]"), "Attempt to access uninitialized array element.");
+  EXPECT_EQ(values("#declare A=array[2]{1,2} #undef A[1] #ifdef(A[1]) P(1) #else P(0) #end #declare A[1]=7; P(A[1])"),
+            "0.000000\n7.000000\n");
 }
 
 TEST(Array, KeepsItsElementType) {
@@ -155,6 +173,13 @@ TEST_F(UserFiles, ReadLosesItemsWithoutComma) {
   const std::string loop = " read #while(defined(R)) #read(R,Z) P(Z) #end ";
   EXPECT_EQ(values("#fopen R \"" + path("blank") + "\"" + loop), "7.000000\n7.000000\n");
   EXPECT_EQ(values("#fopen R \"" + path("comma") + "\"" + loop), "7.000000\n8.000000\n");
+}
+
+TEST_F(UserFiles, ReadGoesToElementsThatHaveAValue) {
+  write("numbers", "7,8");
+  const std::string open = " #fopen R \"" + path("numbers") + "\" read ";
+  EXPECT_EQ(values("#declare A=array[2]{1,2}" + open + "#read(R,A[0],A[1]) P(A[0]+A[1])"), "15.000000\n");
+  EXPECT_EQ(error_of("#declare A=array[2]" + open + "#read(R,A[0])"), "Expected 'undeclared identifier', empty array found instead");
 }
 
 TEST_F(UserFiles, IncludePrefersTheNameWithItsExtension) {

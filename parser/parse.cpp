@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "engine/function/program.hpp"
 #include "parser/directives/directive.hpp"
 #include "parser/expression/expression.hpp"
 
@@ -100,11 +101,20 @@ void parse_statements(Session& session) {
   }
 }
 
+// What the engine finds out while it answers a question of the scene is an error where the question was asked.
+void parse_statements_and_ask(Session& session) {
+  try {
+    parse_statements(session);
+  } catch (const EndlessFunction& error) {
+    session.fail(error.what(), "endless-function");
+  }
+}
+
 // To the end of the scene, past the errors in it.
 void parse_all_statements(Session& session) {
   for (;;) {
     try {
-      return parse_statements(session);
+      return parse_statements_and_ask(session);
     } catch (const SceneError& error) {
       if (!session.recovery.recover(error)) return;
     }

@@ -21,7 +21,7 @@ class Function {
   int result_count() const { return results_; }
   bool is_vector() const { return results_ > 1; }
 
-  // `arguments` has parameter_count() values, `results` room for result_count(). Never throws; domain problems are NaN.
+  // `arguments` has parameter_count() values, `results` room for result_count(). Domain problems are NaN. Throws only EndlessFunction.
   virtual void evaluate(const double* arguments, double* results) const = 0;
 
   // Bounds of the one result of a float function and of its slope, for arguments that run over ranges. False if this function has no

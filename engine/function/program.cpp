@@ -8,6 +8,32 @@
 
 namespace lute {
 
+namespace {
+
+// The loops that are open, over all programs that call each other: each may be short and all together endless.
+struct OpenLoops {
+  int depth = 0;
+  double turns = 0;
+
+  void enter(double from, double to) {
+    if (!(from <= to)) {
+      ++depth;
+      return;
+    }
+    constexpr double kLargestCounted = 4503599627370496;  // adding 1 changes what is smaller
+    if (depth == 0) turns = 0;
+    turns += to - from;
+    if (!(turns <= kMostTurns) || from < -kLargestCounted || to > kLargestCounted) {
+      depth = 0;
+      throw EndlessFunction();
+    }
+    ++depth;
+  }
+};
+thread_local OpenLoops open_loops;
+
+}  // namespace
+
 void Program::evaluate(const double* arguments, double* results) const {
   constexpr std::size_t kOnStack = 128;
   std::array<double, kOnStack> fixed;  // not initialised: every register is written before it is read
@@ -37,6 +63,8 @@ void Program::evaluate(const double* arguments, double* results) const {
       case Op::kJumpUnlessNegative: if (!(r[i.a] < 0)) pc = i.jump; break;
       case Op::kJumpUnlessZero: if (!(r[i.a] == 0)) pc = i.jump; break;
       case Op::kJumpUnlessLessEqual: if (!(r[i.a] <= r[i.b])) pc = i.jump; break;
+      case Op::kEnterLoop: open_loops.enter(r[i.a], r[i.b]); break;
+      case Op::kLeaveLoop: --open_loops.depth; break;
     }
   }
   results[0] = r[result_];
@@ -193,6 +221,7 @@ class ProgramEmitter {
     locals_[builder_.nodes_[data.inputs[0]].index] = variable;
     move(variable, from);
     move(total, constant_register(start));
+    jump(Op::kEnterLoop, from, to);
     const std::size_t top = program_.code_.size();
     const std::size_t leave = jump(Op::kJumpUnlessLessEqual, variable, to);
     const std::size_t mark = learnt_.size();
@@ -202,6 +231,7 @@ class ProgramEmitter {
     forget(mark);
     program_.code_.push_back({Op::kJump, 0, 0, 0, 0, static_cast<std::uint32_t>(top)});
     land(leave);
+    jump(Op::kLeaveLoop);
     return total;
   }
 

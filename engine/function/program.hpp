@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -31,6 +32,14 @@ enum class BinaryOp : std::uint8_t {
 double apply(UnaryOp op, double a);
 double apply(BinaryOp op, double a, double b);
 
+// The loops of sum() and prod(), one inside the other, would turn more often than this: a mistake, not a value.
+constexpr double kMostTurns = 1e9;
+class EndlessFunction : public std::range_error {
+ public:
+  EndlessFunction() : std::range_error("sum() or prod() of a function turns more than 1000000000 times.") {}
+};
+
+// evaluate() throws EndlessFunction.
 class Program final : public Function {
  public:
   void evaluate(const double* arguments, double* results) const override;
@@ -41,7 +50,11 @@ class Program final : public Function {
  private:
   friend class ProgramEmitter;
   explicit Program(int parameters) : Function(parameters, 1) {}
-  enum class Op : std::uint8_t { kUnary, kBinary, kMove, kCall, kJump, kJumpUnlessNegative, kJumpUnlessZero, kJumpUnlessLessEqual };
+  enum class Op : std::uint8_t {
+    kUnary, kBinary, kMove, kCall, kJump, kJumpUnlessNegative, kJumpUnlessZero, kJumpUnlessLessEqual,
+    kEnterLoop,  // from a to b
+    kLeaveLoop
+  };
   struct Instruction {
     Op op;
     std::uint8_t detail = 0;          // UnaryOp, BinaryOp, or the component of a call's result

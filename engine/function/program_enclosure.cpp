@@ -27,6 +27,8 @@ class Program::Enclosing {
           if (i.detail != 0 || !program_.callees_[i.b]->enclose(&r[i.a], r[i.target])) return false;
           break;
         case Op::kJump: pc = i.jump; break;
+        case Op::kEnterLoop:
+        case Op::kLeaveLoop: break;
         default: {
           const Enclosure holds = condition(i, r);
           if (holds.is_point()) {

@@ -1,6 +1,7 @@
 #include "engine/function/program.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +30,31 @@ TEST(Program, SumsSquares) {
   const auto program = e.finish(e.sum(i, e.constant(1), e.parameter(0), e.binary(B::kMultiply, i, i)), 1);
   EXPECT_EQ(value(*program, Args{4}), 30);
   EXPECT_EQ(value(*program, Args{0}), 0);
+}
+
+TEST(Program, SumsThatWouldNotEndAreRefused) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  ExpressionBuilder e;
+  const auto i = e.local();
+  const auto sum = e.finish(e.sum(i, e.parameter(0), e.parameter(1), i), 2);
+  EXPECT_EQ(value(*sum, Args{1, 1e6}), 500000500000.0);
+  EXPECT_EQ(value(*sum, Args{1e300, 1}), 0);
+  EXPECT_EQ(value(*sum, Args{1, std::nan("")}), 0);
+  for (const Args& ends : {Args{1, 1e30}, Args{1, kInfinite}, Args{-kInfinite, 1}, Args{kInfinite, kInfinite}, Args{1e20, 1e20}}) {
+    EXPECT_THROW(value(*sum, ends), EndlessFunction) << ends[0] << " " << ends[1];
+  }
+  EXPECT_EQ(value(*sum, Args{1, 3}), 6);  // nothing is left of the loops that were given up
+}
+
+TEST(Program, LoopsOfFunctionsThatCallEachOtherCountTogether) {
+  ExpressionBuilder inner_builder;
+  const auto j = inner_builder.local();
+  const auto inner = inner_builder.finish(inner_builder.sum(j, inner_builder.constant(1), inner_builder.constant(6e8), j), 0);
+  ExpressionBuilder e;
+  const auto i = e.local();
+  const auto call = e.call(inner, {});
+  const auto outer = e.finish(e.sum(i, e.constant(1), e.constant(6e8), e.binary(B::kMultiply, i, call)), 0);
+  EXPECT_THROW(value(*outer, Args{}), EndlessFunction);
 }
 
 TEST(Program, EmptyProductIsOne) {

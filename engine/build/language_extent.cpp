@@ -77,6 +77,68 @@ std::optional<Aabb> own_rule(const Disc& s, const Transform& transform) {
   if (glm::length(s.normal) == 0) return std::nullopt;
   return round_box(s.center, s.normal, s.radius, -kHalfThickness, kHalfThickness, transform);
 }
+
+bool stays_a_sphere(const Transform& transform) {
+  return (transform.kinds & ~(Transform::kTranslate | Transform::kRotate | Transform::kUniformScale)) == 0;
+}
+
+// A cube around a point, as wide as the widest side of the box around a moved cube: POV-Ray bounds the balls of a blob so.
+Aabb moved_cube(const dvec3& center, double half_side, const dmat3& linear) {
+  const dmat3 rows = glm::transpose(linear);
+  double widest = 0;
+  for (int row = 0; row < 3; ++row) widest = std::max(widest, std::abs(rows[row].x) + std::abs(rows[row].y) + std::abs(rows[row].z));
+  return {center - half_side * widest, center + half_side * widest};
+}
+
+// A cylinder is a ball around its middle and one at each end; what takes density away has no part in the box.
+std::optional<Aabb> own_rule(const Blob& s, const Transform& transform) {
+  Aabb box;
+  for (const BlobComponent& component : s.components) {
+    if (component.strength <= 0) continue;
+    const Transform& own = component.transform;
+    if (component.kind == BlobComponent::Kind::kSphere) {
+      box.join(moved_cube(own.point(component.center), component.radius, own.linear));
+      continue;
+    }
+    const dvec3 axis = component.apex - component.center;
+    const double length = glm::length(axis);
+    const dmat3 linear = own.linear * turn_z_to(axis / length);
+    const dvec3 middle = own.point(0.5 * (component.center + component.apex));
+    box.join(moved_cube(middle, std::hypot(component.radius, 0.5 * length), linear));
+    box.join(moved_cube(own.point(component.center), component.radius, linear));
+    box.join(moved_cube(own.point(component.apex), component.radius, linear));
+  }
+  if (box.empty()) return std::nullopt;
+  return moved(stored(box), transform);
+}
+
+std::optional<Aabb> own_rule(const Polygon& s, const Transform& transform) {
+  constexpr double kThinnest = 1e-3;  // a thinner side is made wider by this at both ends
+  Aabb box;
+  for (const dvec3& point : s.points) box.join(transform.point(point));
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.hi[axis] - box.lo[axis] >= kThinnest) continue;
+    box.lo[axis] -= kThinnest;
+    box.hi[axis] += kThinnest;
+  }
+  return stored(box);
+}
+
+// Around all balls, also those that only steer a spline; a cubic spline may leave them, by no more than a radius as it is assumed.
+std::optional<Aabb> own_rule(const SphereSweep& s, const Transform& transform) {
+  const double reach = s.spline == SphereSweep::Spline::kCubic ? 2 : 1;
+  const bool moves_balls = stays_a_sphere(transform);
+  const double scale = moves_balls ? std::cbrt(glm::determinant(transform.linear)) : 1;
+  Aabb box;
+  for (const SphereSweep::Ball& ball : s.balls) {
+    const dvec3 center = moves_balls ? transform.point(ball.center) : ball.center;
+    const double radius = reach * ball.radius * scale;
+    box.lo = glm::min(box.lo, center - radius);
+    box.hi = glm::max(box.hi, center + radius);
+  }
+  return moves_balls ? stored(box) : moved(stored(box), transform);
+}
+
 template <class S>
 std::optional<Aabb> own_rule(const S&, const Transform&) {
   return std::nullopt;
@@ -85,12 +147,7 @@ std::optional<Aabb> own_rule(const S&, const Transform&) {
 // Moved with their numbers, not with a matrix beside them; or without a box.
 template <class S>
 constexpr bool kMovesItsNumbers = std::is_same_v<S, Triangle> || std::is_same_v<S, SmoothTriangle> || std::is_same_v<S, BicubicPatch> ||
-                                  std::is_same_v<S, Plane> || std::is_same_v<S, Quadric> || std::is_same_v<S, Poly> ||
-                                  std::is_same_v<S, SphereSweep>;
-
-bool stays_a_sphere(const Transform& transform) {
-  return (transform.kinds & ~(Transform::kTranslate | Transform::kRotate | Transform::kUniformScale)) == 0;
-}
+                                  std::is_same_v<S, Plane> || std::is_same_v<S, Quadric> || std::is_same_v<S, Poly>;
 
 Aabb shape_box(const Object& object, const AnyShape& shape, const TightBox& tight_box) {
   Object bare;

@@ -15,11 +15,23 @@ void parse_radius_and_strength(Reader& reader, BlobComponent& component) {
   component.strength = reader.number();
 }
 
+// A sphere that stays one is moved itself, as in the reference: where an ellipsoid comes from shows in its box (max_extent).
+void move(BlobComponent& component, const Transform& transform) {
+  constexpr unsigned kSimilar = Transform::kTranslate | Transform::kRotate | Transform::kUniformScale;
+  const bool similar = (transform.kinds & ~kSimilar) == 0 && component.transform.identity();
+  if (component.kind != BlobComponent::Kind::kSphere || !similar) {
+    component.transform = component.transform.then(transform);
+    return;
+  }
+  component.center = transform.point(component.center);
+  if ((transform.kinds & Transform::kUniformScale) != 0) component.radius *= glm::length(transform.linear[0]);
+}
+
 void parse_component_modifiers(Reader& reader, BlobComponent& component) {
   TextureOnObject texture;
   while (true) {
     if (const auto transform = accept_transformation(reader)) {
-      component.transform = component.transform.then(*transform);
+      move(component, *transform);
       texture.placement = texture.placement.then(*transform);
     } else if (reader.accept(Word::kTexture)) {
       add_texture(reader, texture, parse_texture(reader));

@@ -128,7 +128,7 @@ std::optional<Aabb> own_rule(const Polygon& s, const Transform& transform) {
 std::optional<Aabb> own_rule(const SphereSweep& s, const Transform& transform) {
   const double reach = s.spline == SphereSweep::Spline::kCubic ? 2 : 1;
   const bool moves_balls = stays_a_sphere(transform);
-  const double scale = moves_balls ? std::cbrt(glm::determinant(transform.linear)) : 1;
+  const double scale = moves_balls ? std::abs(std::cbrt(glm::determinant(transform.linear))) : 1;
   Aabb box;
   for (const SphereSweep::Ball& ball : s.balls) {
     const dvec3 center = moves_balls ? transform.point(ball.center) : ball.center;

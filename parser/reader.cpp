@@ -120,7 +120,8 @@ Color Reader::color() { return parse_color(session_, 5).color; }
 Rgb Reader::rgb() {
   const Color color = parse_color(session_, 3).color;
   if (color.filter != 0 || color.transmit != 0) {
-    session_.warn("Expected pure RGB color expression, unexpected filter component will have no effect.", "pure-rgb");
+    const std::string component = color.filter != 0 ? "filter" : "transmit";
+    session_.warn("Expected pure RGB color expression, unexpected " + component + " component will have no effect.", "pure-rgb");
   }
   return color.rgb;
 }

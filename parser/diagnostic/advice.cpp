@@ -40,6 +40,7 @@ constexpr Advice kAdvice[] = {
     {"Expected 'RValue to declare'", "", "a number, vector, colour, string, or a statement such as sphere { ... } can be declared"},
     {"Expected 'undeclared identifier', macro identifier", "", "a macro of this name exists: #undef it first, or use another name"},
     {"Expected 'undeclared identifier', undeclared", "", ""},
+    {"Expected 'undeclared identifier', empty array", "", "give the element a value first: #declare A[i] = ..."},
     {"Expected 'undeclared identifier'", "", "this name is taken: choose another one, for example with a capital letter"},
     {"Expected 'parameter identifier'", "", "parameters are names that are not reserved words, separated by commas"},
     {"Cannot assign uninitialized identifier", "", "declare it first: #declare NAME = ..."},
@@ -101,6 +102,8 @@ constexpr Advice kAdvice[] = {
     {"Too many nested include files", "", "a file includes itself without end: at most 32 may be open at once"},
     {"Cannot open include file", "", "name its folder with Library_Path=FOLDER or +LFOLDER"},
     {"Cannot open image file", "", "name its folder with Library_Path=FOLDER or +LFOLDER"},
+    {"This platform has not defined a SYS", "", "image type sys is not supported: name the type of the file, for example png"},
+    {"sum() or prod()", "", "the running variable goes from the second argument to the third in steps of 1"},
     {"Cannot open density file", "", "name its folder with Library_Path=FOLDER or +LFOLDER"},
     {"Cannot open font file", "", "name its folder with Library_Path=FOLDER or +LFOLDER"},
     {"Expected 'file identifier'", "", "open the file first: #fopen NAME \"file\" write"},
@@ -114,11 +117,13 @@ constexpr Advice kAdvice[] = {
     {"Cannot layer over a patterned", "", "let the textures of its map have layers instead"},
     {"Camera location and look_at", "", "move the camera: location <0, 0, -5>"},
     {"Degenerate plane normal", "", "plane { <0, 1, 0>, distance }"},
+    {"Must have at least one color", "", "entries stand in brackets: [0 rgb 0] [1 rgb 1]"},
     {"Must have at least one entry", "", "entries stand in brackets: [0 ...] [1 ...]"},
     {"split_union found in non-union", "", "split_union belongs inside a union"},
 };
 
 std::string_view found_text(const Diagnostic& d) {
+  if (d.message.find("End of File") != std::string::npos) return "End of File";
   if (d.where.column == 0 || d.where.column > d.excerpt.size()) return "End of File";
   const std::size_t length = d.end_column > d.where.column ? d.end_column - d.where.column : 1;
   return std::string_view(d.excerpt).substr(d.where.column - 1, length);

@@ -31,6 +31,7 @@ std::shared_ptr<const Map> parse_map(Reader& reader, Word keyword, bool identifi
       entry(map);
       reader.expect(TokenKind::kRightSquare);
     }
+    if (map.entries.empty() && keyword == Word::kColorMap) reader.error("Must have at least one color in color map.");
     if (map.entries.empty()) reader.error("Must have at least one entry in map.");
     result = std::make_shared<const Map>(std::move(map));
   }
@@ -45,7 +46,7 @@ float position(Reader& reader) {
 }
 
 float position_or_weight(Reader& reader, bool average) {
-  if (average && !reader.at_number()) return 1;
+  if (average && !reader.at_number() && !at_color_word(reader)) return 1;  // a colour is taken for the weight
   return position(reader);
 }
 
@@ -62,7 +63,7 @@ void parse_color_entry(Reader& reader, ColorMap& map) {
     add_color(reader, map, at, reader.color());
     return;
   }
-  if (!reader.at_number()) reader.error_expected("color");
+  if (!reader.at_number() || reader.at(TokenKind::kLess)) reader.error_expected("color");
   const Number value = reader.additive_expression(1);
   if (value.count == 5) {
     add_color(reader, map, at, value.color());
@@ -127,8 +128,8 @@ void require_map_allowed(Reader& reader, const PatternBody& body, Word map) {
   const std::string_view keyword = pattern_keyword(body);
   const bool colors = map == Word::kColorMap || map == Word::kSlopeMap;
   const bool refused = list_length(body) > 0 || keyword == "image_map" || keyword == "bump_map" ||
-                       (colors && std::holds_alternative<Average>(body.pattern)) ||
-                       (keyword == "facets" && map == Word::kNormalMap);
+                       (colors && std::holds_alternative<Average>(body.pattern));
+  if (keyword == "facets" && map == Word::kNormalMap) reader.error("Keyword 'normal_map' cannot be used with this normal type.");
   if (refused) reader.error("Cannot use " + std::string(spelling(map)) + " with this pattern type.");
 }
 

@@ -1,6 +1,8 @@
 #include "parser/statement/camera.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <cmath>
 #include <string>
 
@@ -150,6 +152,11 @@ void parse_cylinder_kind(Reader& reader, Camera& camera) {
   const int type = reader.integer();
   if (type < 1 || type > 4) reader.error("Invalid cylinder camera type, valid are types 1 to 4.");
   camera.kind = static_cast<CameraKind>(static_cast<int>(CameraKind::kCylinder1) + type - 1);
+}
+
+bool at_kind(Reader& reader) {
+  const Word word = reader.word();
+  return word == Word::kCylinder || word == Word::kMeshCamera || std::ranges::find(kKinds, word, &KindWord::word) != std::end(kKinds);
 }
 
 bool accept_kind(Reader& reader, Camera& camera) {
@@ -326,7 +333,8 @@ Camera parse_camera(Reader& reader, const Camera& start) {
     }
     while (accept_item(reader, camera, written)) {
     }
-    if (!reader.at(TokenKind::kRightBrace))
+    // A type must come first; of a mesh camera POV-Ray says no more than of any other word.
+    if (camera.kind != CameraKind::kMesh && at_kind(reader))
       reader.error_expected(std::string(name_of_kind(camera.kind)) + " camera modifier");
     settle(reader, camera, written);
   }

@@ -33,27 +33,27 @@ void parse_radiosity_count(Reader& reader) {
   const int count = reader.integer();
   if (count <= 0) reader.error("Radiosity count must be a positive number.");
   const int pool = second_integer(reader, count > 1600 ? count : 1600);
-  if (pool < count) reader.error("Radiosity sample pool must not be smaller than the count.");
+  if (pool < count) reader.error("Radiosity count can not be more than direction pool size (count 2nd value).");
 }
 
 void parse_nearest_count(Reader& reader) {
   const int most = reader.integer();
-  if (most < 1 || most > 20) reader.error("Radiosity nearest_count must be 1 to 20.");
+  if (most < 1 || most > 20) reader.error("Radiosity nearest count must be a value from 1 to 20.");
   const int least = second_integer(reader, 0);
-  if (least < 0 || least >= most) reader.error("Radiosity nearest_count: the second value must be below the first.");
+  if (least < 0 || least >= most) reader.error("Radiosity nearest count for adaptive pretrace must be non-negative and smaller than general nearest count.");
 }
 
 bool accept_radiosity_limit(Reader& reader, RadiosityLimits& limits) {
   if (reader.accept(Word::kMaximumReuse)) {
-    limits.maximum_reuse = checked(reader, is_positive, "Radiosity maximum reuse must be greater than zero.");
+    limits.maximum_reuse = checked(reader, is_positive, "Radiosity maximum reuse must be a positive number.");
     limits.maximum_given = true;
   } else if (reader.accept(Word::kMinimumReuse)) {
     limits.minimum_reuse = checked(reader, is_not_negative, "Radiosity minimum reuse can not be a negative number.");
     limits.minimum_given = true;
   } else if (reader.accept(Word::kPretraceStart)) {
-    limits.pretrace_start = checked(reader, is_positive_fraction, "Radiosity pretrace start must be between 0.0 and 1.0.");
+    limits.pretrace_start = checked(reader, is_positive_fraction, "Radiosity pretrace start must be greater than 0 and no higher than 1.");
   } else if (reader.accept(Word::kPretraceEnd)) {
-    limits.pretrace_end = checked(reader, is_positive_fraction, "Radiosity pretrace end must be between 0.0 and 1.0.");
+    limits.pretrace_end = checked(reader, is_positive_fraction, "Radiosity pretrace end must be greater than 0 and no higher than 1.");
   } else {
     return false;
   }
@@ -62,7 +62,7 @@ bool accept_radiosity_limit(Reader& reader, RadiosityLimits& limits) {
 
 bool accept_radiosity_item(Reader& reader) {
   if (reader.accept(Word::kAdcBailout)) {
-    checked(reader, is_positive, "ADC bailout must be greater than 0.0.");
+    checked(reader, is_positive, "ADC Bailout must be a positive number.");
   } else if (reader.accept(Word::kAlwaysSample) || reader.accept(Word::kMedia) || reader.accept(Word::kNormal) ||
              reader.accept(Word::kSubsurface) || reader.accept(Word::kMaxSample)) {
     reader.number();
@@ -71,7 +71,7 @@ bool accept_radiosity_item(Reader& reader) {
   } else if (reader.accept(Word::kCount)) {
     parse_radiosity_count(reader);
   } else if (reader.accept(Word::kErrorBound)) {
-    checked(reader, is_positive, "Radiosity error bound must be greater than 0.0.");
+    checked(reader, is_positive, "Radiosity error bound must be a positive number.");
   } else if (reader.accept(Word::kGrayThreshold)) {
     checked(reader, is_fraction, "Radiosity gray threshold must be from 0.0 to 1.0.");
   } else if (reader.accept(Word::kLowErrorFactor)) {
@@ -80,7 +80,7 @@ bool accept_radiosity_item(Reader& reader) {
     parse_nearest_count(reader);
   } else if (reader.accept(Word::kRecursionLimit)) {
     const int limit = reader.integer();
-    if (limit < 1 || limit > 20) reader.error("Radiosity recursion limit must be 1 to 20.");
+    if (limit < 1 || limit > 20) reader.error("Radiosity recursion limit must be in the range 1 to 20.");
   } else if (reader.accept(Word::kLoadFile) || reader.accept(Word::kSaveFile)) {
     reader.file_name();
     reader.warning("load_file and save_file of radiosity are ignored: use Radiosity_File_Name.");
@@ -97,7 +97,7 @@ void check_reuse(Reader& reader, RadiosityLimits& limits) {
   } else if (!limits.maximum_given) {
     limits.maximum_reuse = 2 * limits.minimum_reuse;
   } else if (limits.minimum_reuse >= limits.maximum_reuse) {
-    reader.error("Radiosity minimum reuse must be smaller than the maximum reuse.");
+    reader.error("Radiosity maximum_reuse must be larger than minimum_reuse.");
   } else {
     reader.warning("Radiosity minimum reuse should be at most half the maximum reuse.");
   }
@@ -107,7 +107,9 @@ bool accept_photon_pass_item(Reader& reader) {
   if (reader.accept(Word::kGather)) {
     const int least = reader.integer();
     const int most = second_integer(reader, 100);
-    if (least < 0 || most < 0 || (most > 0 && least > most)) reader.error("Illegal photon gather counts.");
+    if (most < 0) reader.error("max_gather_count cannot be negative.");
+    if (most > 0 && least < 0) reader.error("min_gather_count cannot be negative.");
+    if (most > 0 && least > most) reader.error("min_gather_count must be less than max_gather_count.");
   } else if (reader.accept(Word::kRadius)) {
     for (int i = 0; i < 4; ++i) {
       if (i > 0) reader.comma();
@@ -117,10 +119,10 @@ bool accept_photon_pass_item(Reader& reader) {
     reader.number();
     second_integer(reader, 35);
   } else if (reader.accept(Word::kMedia)) {
-    if (reader.integer() < 0) reader.error("max_steps for media photons must be at least 0.");
+    if (reader.integer() < 0) reader.error("max media steps must be non-negative.");
     reader.comma();
     if (const auto factor = reader.optional_number(); factor && *factor <= 0)
-      reader.error("Media photon spacing factor must be positive.");
+      reader.error("media spacing factor must be greater than zero.");
   } else if (reader.accept(Word::kLoadFile) || reader.accept(Word::kSaveFile)) {
     reader.file_name();
   } else {
@@ -147,7 +149,7 @@ void parse_global_radiosity(Reader& reader) {
   while (accept_radiosity_limit(reader, limits) || accept_radiosity_item(reader)) {
   }
   reader.close(Word::kRadiosity);
-  if (limits.pretrace_end > limits.pretrace_start) reader.error("Radiosity pretrace end must not exceed pretrace start.");
+  if (limits.pretrace_end > limits.pretrace_start) reader.error("Radiosity pretrace end must be smaller than or equal to pretrace start.");
   check_reuse(reader, limits);
 }
 

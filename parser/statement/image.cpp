@@ -1,5 +1,6 @@
 #include "parser/statement/image.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/function/function.hpp"
@@ -25,13 +26,13 @@ std::optional<std::string> find_image(Reader& reader, const std::string& name, c
   return reader.find_file(name);
 }
 
-// The keyword of a file type, if one comes next; `sys` is what the system prefers, PNG.
+// The keyword of a file type, if one comes next. `sys` is what the system prefers; the reference knows of no such type here either.
 std::string accept_type(Reader& reader, ImageUse use) {
   const Word word = reader.word();
   switch (word) {
     case Word::kGif: case Word::kTga: case Word::kPng: case Word::kJpeg: case Word::kTiff: case Word::kBmp:
     case Word::kPgm: case Word::kPpm: case Word::kExr: case Word::kHdr: break;
-    case Word::kSys: reader.take(); return "png";
+    case Word::kSys: reader.take(); reader.error("This platform has not defined a SYS file type");
     case Word::kIff:
     case Word::kPot: {
       reader.take();
@@ -100,7 +101,11 @@ void parse_transparency(Reader& reader, const Image& image, Word word, std::opti
   const auto value = static_cast<float>(reader.number());
   if (!image.is_palette())
     reader.error("Keyword '" + std::string(spelling(word)) + "' cannot be used with non color-mapped image.");
-  if (index < 0 || index >= static_cast<int>(image.palette().size())) reader.error("Color index out of range in image.");
+  if (index < 0 || index >= static_cast<int>(image.palette().size())) {
+    std::string name(spelling(word));
+    std::ranges::transform(name, name.begin(), [](char c) { return static_cast<char>(c - 'a' + 'A'); });
+    reader.error(name + " color register value out of range.");
+  }
   of_index.emplace_back(index, value);
 }
 

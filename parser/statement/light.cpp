@@ -104,13 +104,17 @@ bool accept_area_item(Reader& reader, AreaItems& area) {
 }
 
 void settle_area(Reader& reader, AreaItems& area, LightSource& light) {
-  if (!area.given) return;
+  constexpr const char* kTooFew = "Circular area light must have more than 1 point per axis";
+  if (!area.given) {
+    if (area.light.circular) reader.error(kTooFew);
+    return;
+  }
   if (area.light.orient && !area.light.circular) {
     reader.warning("Orient only works with circular area lights. This area light will become circular.");
     area.light.circular = true;
   }
   if (area.light.circular && (area.light.size1 <= 1 || area.light.size2 <= 1))
-    reader.error("Circular area light must have more than 1 point per axis");
+    reader.error(kTooFew);
   light.area = area.light;
 }
 

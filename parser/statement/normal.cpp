@@ -30,6 +30,10 @@ void parse_list(Reader& reader, Normal& normal) {
 }
 
 bool accept_normal_pattern(Reader& reader, Normal& normal) {
+  if (at_color_word(reader)) {
+    reader.take();
+    reader.error("Keyword 'color' can only be used in a pigment or density statement.");
+  }
   const bool loses_map = std::holds_alternative<UvMapping>(normal.body.pattern);
   const ParsedPattern parsed = accept_pattern(reader, normal.body, BodyKind::kNormal);
   if (!parsed.found) return false;

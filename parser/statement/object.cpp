@@ -73,6 +73,7 @@ ObjectPtr parse_csg(Reader& reader, Word keyword, CsgOperation operation) {
   object.where = reader.location();
   reader.open(keyword);
   if (auto named = accept_named_object(reader, keyword)) return *named;
+  if (keyword == Word::kComposite) reader.warning("Use union instead of composite.");
   Csg csg;
   csg.operation = operation;
   csg.children = parse_members(reader, operation);

@@ -59,12 +59,15 @@ bool accept_appearance(Reader& reader, Object& object) {
 // The objects of clipped_by or bounded_by, at their place.
 std::vector<ObjectPtr> parse_limits(Reader& reader) {
   std::vector<ObjectPtr> objects;
+  bool any = false;
   while (const auto object = accept_object(reader)) {
+    any = true;
     if (is_absent(**object)) continue;
     if (carries_texture(**object) || is_patch(**object))
       reader.error("Illegal texture or patch in clip, bound or object pattern.");
     objects.push_back(*object);
   }
+  if (!any) reader.error_expected("object");
   while (const auto transform = accept_transformation(reader))
     for (ObjectPtr& object : objects) object = transformed(object, *transform);
   return objects;

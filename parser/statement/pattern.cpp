@@ -77,28 +77,62 @@ int noise_generator(Reader& reader) {
   return generator;
 }
 
+// A word of one pattern, or of one kind of body, and what is said where it does not belong.
 struct OwnedWord {
   Word word;
-  std::string_view owner;
+  std::string_view fault;
 };
 constexpr std::array kOwnedWords = {
-    OwnedWord{Word::kAgateTurb, "agate"},      OwnedWord{Word::kBrickSize, "brick"},       OwnedWord{Word::kMortar, "brick"},
-    OwnedWord{Word::kControl0, "quilted"},     OwnedWord{Word::kControl1, "quilted"},      OwnedWord{Word::kSize, "facets"},
-    OwnedWord{Word::kCoords, "facets"},        OwnedWord{Word::kMetric, "crackle or facets"}, OwnedWord{Word::kForm, "crackle or pavement"},
-    OwnedWord{Word::kOffset, "crackle"},       OwnedWord{Word::kSolid, "crackle"},         OwnedWord{Word::kInterpolate, "density_file"},
-    OwnedWord{Word::kExterior, "julia, mandel, magnet or pavement"}, OwnedWord{Word::kInterior, "julia, mandel, magnet or pavement"},
-    OwnedWord{Word::kExponent, "julia or mandel"}, OwnedWord{Word::kNumberOfSides, "pavement"},
-    OwnedWord{Word::kNumberOfTiles, "pavement"}, OwnedWord{Word::kPattern, "pavement"},
+    OwnedWord{Word::kAgateTurb, "cannot be used with non-agate."},
+    OwnedWord{Word::kBrickSize, "cannot be used with non-brick."},
+    OwnedWord{Word::kMortar, "cannot be used with non-brick."},
+    OwnedWord{Word::kControl0, "cannot be used with this pattern."},
+    OwnedWord{Word::kControl1, "cannot be used with this pattern."},
+    OwnedWord{Word::kSize, "can only be used in a facets statement."},
+    OwnedWord{Word::kCoords, "can only be used in a facets statement."},
+    OwnedWord{Word::kMetric, "can only be used in a facets or crackle statement."},
+    OwnedWord{Word::kForm, "can only be used in a crackle or pavement statement."},
+    OwnedWord{Word::kOffset, "can only be used in a crackle statement."},
+    OwnedWord{Word::kSolid, "can only be used in a crackle statement."},
+    OwnedWord{Word::kInterpolate, "can only be used in a density_file statement."},
+    OwnedWord{Word::kExterior, "can only be used in a julia, mandel, magnet or pavement statement."},
+    OwnedWord{Word::kInterior, "can only be used in a julia, mandel, magnet or pavement statement."},
+    OwnedWord{Word::kExponent, "can only be used in a julia or mandel statement."},
+    OwnedWord{Word::kNumberOfSides, "can only be used in a pavement statement."},
+    OwnedWord{Word::kNumberOfTiles, "can only be used in a pavement statement."},
+    OwnedWord{Word::kPattern, "can only be used in a pavement statement."},
+    OwnedWord{Word::kColorMap, "can only be used in a pigment statement."},
+    OwnedWord{Word::kPigmentMap, "can only be used in a pigment statement."},
+    OwnedWord{Word::kQuickColor, "can only be used in a pigment statement."},
+    OwnedWord{Word::kNormalMap, "can only be used in a normal statement."},
+    OwnedWord{Word::kSlopeMap, "can only be used in a normal statement."},
+    OwnedWord{Word::kBumpSize, "can only be used in a normal statement."},
+    OwnedWord{Word::kTextureMap, "can only be used in a texture statement."},
+    OwnedWord{Word::kDensityMap, "can only be used in a density statement."},
 };
 
-// A word that belongs to another pattern than that of the body is a mistake of its own kind.
+[[noreturn]] void refuse(Reader& reader, std::string_view fault) {
+  const std::string word(spelling(reader.take().word()));
+  reader.error("Keyword '" + word + "' " + std::string(fault));
+}
+
+// Patterns that only one kind of body knows.
+void reject_foreign_pattern(Reader& reader, BodyKind kind) {
+  const Word word = reader.word();
+  const bool of_normals = word == Word::kFacets || word == Word::kBumpMap;
+  if (of_normals && kind != BodyKind::kNormal) refuse(reader, "can only be used in a normal statement.");
+  if (word == Word::kImageMap && !is_allowed("image_map", kind)) refuse(reader, "can only be used in a pigment statement.");
+}
+
+// A word that belongs to another pattern or body is a mistake of its own kind.
 void reject_foreign_word(Reader& reader) {
   const Word word = reader.word();
+  if (word == Word::kAccuracy) {
+    reader.take();
+    reader.error("accuracy can only be used with normal patterns.");
+  }
   for (const OwnedWord& owned : kOwnedWords)
-    if (owned.word == word) {
-      reader.take();
-      reader.error("Keyword '" + std::string(spelling(word)) + "' can only be used in a " + std::string(owned.owner) + " statement.");
-    }
+    if (owned.word == word) refuse(reader, owned.fault);
 }
 
 }  // namespace
@@ -107,6 +141,7 @@ ParsedPattern accept_pattern(Reader& reader, PatternBody& body, BodyKind kind) {
   ParsedPattern parsed;
   const Word word = reader.word();
   if (word == Word::kNone) return parsed;
+  if (kind != BodyKind::kFunction) reject_foreign_pattern(reader, kind);
   if (kind != BodyKind::kFunction && reader.accept(Word::kAverage)) {
     body.pattern = Average{};
     parsed.found = true;

@@ -80,9 +80,7 @@ void parse_arguments(Reader& reader, PigmentPattern& pattern, ParsedPattern&) {
 void parse_arguments(Reader& reader, ObjectPattern& pattern, ParsedPattern&) {
   reader.open(Word::kObject);
   auto object = accept_object(reader);
-  if (!object) reader.error("object or object identifier expected.");
-  if (carries_texture(**object) || is_patch(**object) || is_light(**object))
-    reader.error("Illegal texture or patch in clip, bound or object pattern.");
+  if (!object) reader.error_expected("object");
   while (const auto transform = accept_transformation(reader)) object = transformed(*object, *transform);
   pattern.object = *object;
 }

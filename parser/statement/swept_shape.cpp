@@ -33,9 +33,21 @@ Lathe parse_lathe(Reader& reader) {
   Lathe lathe;
   while (const auto spline = accept_spline(reader)) lathe.spline = *spline;
   const int count = reader.integer();
-  if (count < static_cast<int>(least_points(lathe.spline))) reader.error("Too few points in lathe.");
-  if (lathe.spline == PlanarSpline::kBezier && count % 4 != 0)
-    reader.error("Lathe with Bezier splines must have four points per segment.");
+  const int least = static_cast<int>(least_points(lathe.spline));
+  switch (lathe.spline) {  // in the words of the reference, which is not always sure of what it reads
+    case PlanarSpline::kLinear:
+      if (count < least) reader.error("Lathe with linear splines must have at least two points.");
+      break;
+    case PlanarSpline::kQuadratic:
+      if (count < least) reader.error("Lathe with quadratic splines must have at least three points.");
+      break;
+    case PlanarSpline::kCubic:
+      if (count < least) reader.error("Prism with cubic splines must have at least four points.");
+      break;
+    case PlanarSpline::kBezier:
+      if (count < least || count % 4 != 0) reader.error("Lathe with Bezier splines must have four points per segment.");
+      break;
+  }
   lathe.points = parse_points(reader, count);
   for (std::size_t i = 1; i + 1 < lathe.points.size(); ++i)
     if (lathe.points[i].x < 0) reader.error("Incorrect point in lathe.");
@@ -75,9 +87,20 @@ Prism parse_prism(Reader& reader) {
   prism.height_2 = reader.number();
   reader.comma();
   const int count = reader.integer();
-  const bool bezier = prism.spline == PlanarSpline::kBezier;
-  const int least = prism.spline == PlanarSpline::kLinear ? 3 : prism.spline == PlanarSpline::kQuadratic ? 5 : 6;
-  if (bezier ? count < 4 || count % 4 != 0 : count < least) reader.error("Too few points in prism.");
+  switch (prism.spline) {
+    case PlanarSpline::kLinear:
+      if (count < 3) reader.error("Prism with linear splines must have at least three points.");
+      break;
+    case PlanarSpline::kQuadratic:
+      if (count < 5) reader.error("Prism with quadratic splines must have at least five points.");
+      break;
+    case PlanarSpline::kCubic:
+      if (count < 6) reader.error("Prism with cubic splines must have at least six points.");
+      break;
+    case PlanarSpline::kBezier:
+      if (count < 4 || count % 4 != 0) reader.error("Prism with Bezier splines must have four points per segment.");
+      break;
+  }
   prism.points = parse_points(reader, count);
   prism.open = reader.accept(Word::kOpen);
   if (!prism_outline(prism).closed)

@@ -24,8 +24,14 @@ bool accept_own_modifier(Reader& reader, Pavement& pattern) {
 void check_complete(Reader& reader, const Pavement& pattern) {
   if (pattern.sides != 3 && pattern.sides != 4 && pattern.sides != 6) reader.error("number_of_sides of pavement must be 3, 4 or 6.");
   const int patterns = pavement_pattern_count(pattern.sides, pattern.tiles);
-  if (patterns == 0) reader.error("Number of tiles out of range for a pavement with " + std::to_string(pattern.sides) + " sides.");
-  if (pattern.pattern < 1 || pattern.pattern > patterns) reader.error("Pavement pattern out of range: 1 to " + std::to_string(patterns) + ".");
+  std::string limits;  // of the pattern, for each number of tiles
+  int tiles = 0;
+  while (const int most = pavement_pattern_count(pattern.sides, tiles + 1)) {
+    limits += (tiles == 0 ? "" : ",") + std::to_string(most);
+    ++tiles;
+  }
+  if (patterns == 0) reader.error("number_of_tiles of pavement must be between 1 and " + std::to_string(tiles) + ".");
+  if (pattern.pattern < 1 || pattern.pattern > patterns) reader.error("pattern value for pavement is out of range. max per tile:(" + limits + ")");
 }
 
 }  // namespace lute

@@ -58,7 +58,7 @@ struct TypeName {
   std::string_view operator()(const RainbowPtr&) const { return "rainbow identifier"; }
   std::string_view operator()(const SkySpherePtr&) const { return "sky_sphere identifier"; }
   std::string_view operator()(const TransformPtr&) const { return "transform identifier"; }
-  std::string_view operator()(const ColorMapPtr&) const { return "color_map identifier"; }
+  std::string_view operator()(const ColorMapPtr&) const { return "colour map identifier"; }
   std::string_view operator()(const PigmentMapPtr&) const { return "pigment_map identifier"; }
   std::string_view operator()(const NormalMapPtr&) const { return "normal_map identifier"; }
   std::string_view operator()(const TextureMapPtr&) const { return "texture_map identifier"; }

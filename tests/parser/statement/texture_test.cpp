@@ -72,7 +72,7 @@ TEST(Pigments, MarbleAndWoodBringTheirWave) {
 
 TEST(Pigments, WordsOfOtherPatternsAreErrors) {
   EXPECT_THAT(rejection_of(kVersion + "sphere { 0, 1 pigment { bozo agate_turb 2 } }"),
-              testing::HasSubstr("Keyword 'agate_turb' can only be used in a agate statement."));
+              testing::HasSubstr("Keyword 'agate_turb' cannot be used with non-agate."));
 }
 
 TEST(Pigments, ASecondPatternIsNotUnderstood) {

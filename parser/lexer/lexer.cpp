@@ -360,6 +360,8 @@ const char* lex_text(LexState& state, const char* p, const char* end) {
   return p;
 }
 
+constexpr std::size_t kPiece = 1u << 18;  // bytes
+
 void lex_piece(SourceFile& file, Names& names, std::size_t size, bool runs) {
   const char* const begin = file.text.data();
   const char* const end = begin + file.text.size();
@@ -369,7 +371,8 @@ void lex_piece(SourceFile& file, Names& names, std::size_t size, bool runs) {
   LexState state{file, names, file.tokens, begin, to, runs ? from : nullptr};
   const std::uint32_t before = file.lexed;
   file.lexed = static_cast<std::uint32_t>(lex_text(state, from, end) - begin);
-  file.storage.release(before, file.lexed);
+  // The piece before this one was read; of this one, lines are still counted.
+  file.storage.release(before > kPiece ? before - kPiece : 0, before);
 }
 
 void prepare(SourceFile& file, bool main_file) {
@@ -378,8 +381,6 @@ void prepare(SourceFile& file, bool main_file) {
   file.byte_order_mark = mark != 0;
   file.tokens.reserve(file.text.size() + 2);  // a token takes at least a byte
 }
-
-constexpr std::size_t kPiece = 1u << 18;  // bytes
 
 }  // namespace
 

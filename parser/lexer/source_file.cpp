@@ -35,7 +35,7 @@ void Names::grow() {
 
 namespace {
 
-constexpr std::uint32_t kMarkDistance = 512;
+constexpr std::uint32_t kMarkDistance = 128;
 constexpr std::size_t kReleased = 16u << 20;  // memory of a mapped file that was passed is given back in pieces of this size
 constexpr std::uint32_t kAnyOffset = 0xFFFFFFFF, kAnyLine = 0xFFFFFFFF;
 

@@ -23,8 +23,10 @@ inline std::string said_about(const std::string& scene, const std::filesystem::p
   request.working_directory = folder.path();
   request.standard_error = folder.path() / "said";
   request.time_limit = 60;
-  run_process(request);
-  return test::file_text(request.standard_error);
+  const ProcessResult result = run_process(request);
+  std::string said = test::file_text(request.standard_error);
+  if (result.exit_code != 0 && said.find("rror") == std::string::npos) said += "\ntest.pov:0: error: ended without an error";
+  return said;
 }
 
 // POV-Ray breaks lines, also within words. An error that it finds without a place stands at line 0.

@@ -100,7 +100,7 @@ ClosedForm sphere_rim() {
 ClosedForm grazed_floor() {
   return [](Real, Real b) -> std::optional<Rgb> {
     if (b >= 0) return kBlue;
-    return band(-1 / b);
+    return band(-1 / b + Real{0.3});  // off the whole numbers that the rows of a picture meet
   };
 }
 

@@ -87,7 +87,7 @@ TEST(Options, MethodThreeNeedsNoOtherSwitch) {
   EXPECT_DOUBLE_EQ(options_of({"+AM3", "+AE0.003"}).antialiasing.error_bound, 0.003);
   EXPECT_DOUBLE_EQ(options_of({"--sampling-method", "3", "--antialias-error", "0.02"}).antialiasing.error_bound, 0.02);
   EXPECT_EQ(options_of({"+AM3", "-A"}).antialiasing.method, 0);
-  EXPECT_THAT(error_of({"+AM3", "+AE0"}), HasSubstr("greater than 0"));
+  EXPECT_THAT(error_of({"+AM3", "+AE0"}), HasSubstr("above 0 and at most 1"));
 }
 
 TEST(Options, SwitchesThatShareTheirFirstLetters) {

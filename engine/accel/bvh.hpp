@@ -63,8 +63,7 @@ class Bvh {
 
   bool empty() const { return nodes_.empty(); }
   std::span<const Node> nodes() const { return nodes_; }
-  dvec3 origin() const { return {origin_[0], origin_[1], origin_[2]}; }
-  const std::array<double, 4>& padded_origin() const { return origin_; }  // the last number is 0
+  const std::array<double, 4>& origin() const { return origin_; }  // the last number is 0, so that four can be loaded at once
   std::span<const std::uint32_t> order() const { return order_; }  // item indices, leaf by leaf
   std::vector<std::uint32_t> take_order() { return std::move(order_); }  // for owners that keep their items in this order
   Aabb bounds() const;

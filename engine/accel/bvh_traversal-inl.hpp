@@ -126,7 +126,7 @@ HWY_INLINE void traverse(const Bvh& bvh, const Ray& ray, float near, float far, 
   // An undefined ray meets nothing. (It would meet even the empty children: comparisons with NaN are not what they
   // seem.)
   if (bvh.empty()) return;
-  const SlabRay slab(ray, bvh.padded_origin());
+  const SlabRay slab(ray, bvh.origin());
   if (!slab.defined) return;
   const Bvh::Node* const nodes = bvh.nodes().data();
   struct Pending {

@@ -60,6 +60,7 @@ class SceneTree {
     bool restricted;        // some kinds of rays do not see it
     bool blocks;            // casts shadows and is opaque
   };
+  static_assert(sizeof(const Solid*) != 8 || sizeof(Entry) == 16);  // there may be millions of them
   struct Listed {
     Entry entry;
     Aabb box;

@@ -24,10 +24,16 @@ struct Rgb {
   friend constexpr bool operator==(const Rgb&, const Rgb&) = default;
 };
 
-// The weights of POV-Ray's grey, everywhere; summed in double precision, as the reference does.
-constexpr float grey(Rgb c) {
-  return static_cast<float>(0.297 * static_cast<double>(c.r) + 0.589 * static_cast<double>(c.g) + 0.114 * static_cast<double>(c.b));
+// POV-Ray's grey, everywhere with the same weights; summed in double precision where it shades, and in single precision where it
+// reads and writes files of greys.
+template <class T>
+constexpr T weighted_grey(T r, T g, T b) {
+  return T(0.297) * r + T(0.589) * g + T(0.114) * b;
 }
+constexpr float grey(Rgb c) {
+  return static_cast<float>(weighted_grey(static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b)));
+}
+constexpr float file_grey(Rgb c) { return weighted_grey(c.r, c.g, c.b); }
 constexpr float peak(Rgb c) { return c.r > c.g ? (c.r > c.b ? c.r : c.b) : (c.g > c.b ? c.g : c.b); }
 
 struct Color {

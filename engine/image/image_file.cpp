@@ -42,7 +42,7 @@ std::vector<float> table(std::size_t size, const Convert& convert) {
 // The reference brings grey files back to 8 bits after decoding, by way of its grey formula in single precision, and truncates.
 void requantise_grey(std::vector<float>& decoded) {
   for (float& v : decoded) {
-    const float grey_value = 0.297f * v + 0.589f * v + 0.114f * v;
+    const float grey_value = file_grey(Rgb(v));
     v = std::trunc(255.0f * grey_value) / 255.0f;
   }
 }

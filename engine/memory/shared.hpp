@@ -1,9 +1,9 @@
 // A value that its copies share: whoever edits it gets one of his own first. One pointer large, and nothing more for the default value.
 #pragma once
 
-#include <atomic>
-#include <cstdint>
 #include <utility>
+
+#include "engine/memory/owners.hpp"
 
 namespace lute {
 
@@ -11,9 +11,9 @@ template <class T>
 class Shared {
  public:
   Shared() = default;  // T{}
-  Shared(T value) : block_(new Block{{1}, std::move(value)}) {}
+  Shared(T value) : block_(new Block{{}, std::move(value)}) {}
   Shared(const Shared& other) : block_(other.block_) {
-    if (block_ != nullptr) block_->owners.fetch_add(1, std::memory_order_relaxed);
+    if (block_ != nullptr) block_->owners.add();
   }
   Shared(Shared&& other) noexcept : block_(std::exchange(other.block_, nullptr)) {}
   Shared& operator=(Shared other) noexcept {
@@ -21,19 +21,16 @@ class Shared {
     return *this;
   }
   ~Shared() {
-    if (block_ != nullptr && block_->owners.fetch_sub(1, std::memory_order_acq_rel) == 1) delete block_;
+    if (block_ != nullptr && block_->owners.remove_last()) delete block_;
   }
 
-  const T& operator*() const {
-    static const T default_value{};
-    return block_ != nullptr ? block_->value : default_value;
-  }
+  const T& operator*() const { return block_ != nullptr ? block_->value : default_value(); }
   const T* operator->() const { return &**this; }
   operator const T&() const { return **this; }
 
   // For changes that no copy sees.
   T& edit() {
-    if (block_ == nullptr || block_->owners.load(std::memory_order_acquire) != 1) *this = Shared(T(**this));
+    if (block_ == nullptr || !block_->owners.only_one()) *this = Shared(T(**this));
     return block_->value;
   }
 
@@ -42,9 +39,15 @@ class Shared {
 
  private:
   struct Block {
-    std::atomic<std::uint32_t> owners;
+    Owners owners;
     T value;
   };
+
+  static const T& default_value() {
+    static const T value{};
+    return value;
+  }
+
   Block* block_ = nullptr;
 };
 

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <concepts>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
+
+#include "engine/memory/owners.hpp"
 
 namespace lute {
 
@@ -18,9 +19,9 @@ class SharedVariant {
  public:
   template <class T>
     requires kHolds<T>
-  SharedVariant(T value) : head_(new Block<T>{{{1}, index_of<T>()}, std::move(value)}) {}
+  SharedVariant(T value) : head_(new Block<T>{{{}, index_of<T>()}, std::move(value)}) {}
   SharedVariant(const SharedVariant& other) : head_(other.head_) {
-    if (head_ != nullptr) head_->owners.fetch_add(1, std::memory_order_relaxed);
+    if (head_ != nullptr) head_->owners.add();
   }
   SharedVariant(SharedVariant&& other) noexcept : head_(std::exchange(other.head_, nullptr)) {}
   SharedVariant& operator=(SharedVariant other) noexcept {
@@ -28,7 +29,7 @@ class SharedVariant {
     return *this;
   }
   ~SharedVariant() {
-    if (head_ == nullptr || head_->owners.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
+    if (head_ == nullptr || !head_->owners.remove_last()) return;
     visit([this]<class T>(const T&) { delete static_cast<Block<T>*>(head_); });
   }
 
@@ -51,14 +52,14 @@ class SharedVariant {
   // Calls f(T&), whose changes no copy sees.
   template <class F>
   decltype(auto) edit(F&& f) {
-    if (head_->owners.load(std::memory_order_acquire) != 1)
+    if (!head_->owners.only_one())
       *this = visit([]<class T>(const T& value) { return SharedVariant(T(value)); });
     return visit([&]<class T>(const T&) { return f(static_cast<Block<T>*>(head_)->value); });
   }
 
  private:
   struct Head {
-    std::atomic<std::uint32_t> owners;
+    Owners owners;
     std::uint32_t index;
   };
   template <class T>

@@ -18,9 +18,6 @@ struct Channels {
   int colors = 3;  // how many of them are colour; then comes alpha, if any
 };
 
-// In single precision, other than grey(): what POV-Ray writes into a file of greys is rounded so.
-float grey_code(Rgb c) { return 0.297f * c.r + 0.589f * c.g + 0.114f * c.b; }
-
 // Colour over alpha: highlights may be brighter than the alpha allows, so alpha grows with them.
 void unpremultiply(Rgb& rgb, float& alpha) {
   const float brightness = grey(rgb);
@@ -32,7 +29,7 @@ Channels channels_of(const Color& color, bool alpha_wanted, bool greyscale) {
   Rgb rgb = color.rgb;
   float alpha = 1 - color.transmit;
   if (alpha_wanted) unpremultiply(rgb, alpha);
-  if (greyscale) return {{grey_code(rgb), alpha, 0, 0}, 1};
+  if (greyscale) return {{file_grey(rgb), alpha, 0, 0}, 1};
   return {{rgb.r, rgb.g, rgb.b, alpha}, 3};
 }
 

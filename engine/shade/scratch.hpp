@@ -73,7 +73,6 @@ struct TraceScratch {
   ScratchStack<Rgb> area_samples;
   std::vector<TextureWeight> weights;
   CsgSolid::CutawayShares shares;
-  std::vector<const BuiltInterior*> interiors;
   // Of each light two: for what the camera sees directly, and for what is seen in mirrors and through glass.
   std::vector<std::array<LastBlocker, 2>> last_blockers;
 };

@@ -168,7 +168,7 @@ fog { distance 60 rgb <0.80, 0.72, 0.60> }  // the floor fades into the horizon
   union {  // five on the front
     Pip(-0.5, 0.5) Pip(0.5, 0.5) Pip(0, 0) Pip(-0.5, -0.5) Pip(0.5, -0.5)
   }
-  union {  // one on top
+  object {  // one on top
     Pip(0, 0)
     rotate 90*x
   }

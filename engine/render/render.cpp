@@ -143,7 +143,7 @@ RenderResult render(const RenderSettings& settings, const MakePixelSource& make_
   const ColorMetric metric(settings.antialiasing, settings.gamma_mode, settings.assumed_gamma);
   std::optional<ErrorMap> errors;
   std::optional<ErrorRecord> record;
-  if (settings.estimate_error) record.emplace(*display, errors.emplace(settings.area));
+  if (settings.estimate_error) record.emplace(ErrorRecord{*display, errors.emplace(settings.area)});
   Passes passes(settings, make_source, progress, 1);
   passes.run(settings.area, [&](const PixelArea& block, PixelSource& source) {
     render_block(block, settings.antialiasing, metric, source, film, record ? &*record : nullptr);

@@ -8,7 +8,7 @@
 #include "parser/parse.hpp"
 #include "parser/resource_meter.hpp"
 
-inline void read_scene(std::string text) {
+inline lute::ParseResult read_scene(std::string text) {
   lute::GeometryAnswers geometry;
   lute::CompiledTextureFunctions functions;
   lute::ParseOptions options;
@@ -19,5 +19,5 @@ inline void read_scene(std::string text) {
   options.limits.loop_turns = 1000;
   options.limits.tokens = 20'000;
   options.limits.memory_bytes = lute::resident_bytes() + (256u << 20);
-  lute::parse_scene(options);
+  return lute::parse_scene(options);
 }

@@ -134,6 +134,11 @@ void Session::fail_after(std::string message, std::string code, std::string hint
 }
 
 void Session::fail_expected(std::string_view what, const Item& found) {
+  // #read alone may name such an element, to fill it.
+  const bool element_without_value = found.is(TokenKind::kIdentifier) && found.slot->empty() && found.subscripts > 0;
+  if (element_without_value && what != "undeclared identifier") {
+    fail_at("Attempt to access uninitialized array element.", "uninitialized", found);
+  }
   Diagnostic d = diagnose(Severity::kError, "expected-token",
                           "Expected '" + std::string(what) + "', " + printed_name(*this, found) + " found instead", found.file,
                           found.source);

@@ -60,6 +60,7 @@ struct Session {
   ResourceMeter resources;
   int nested_directives = 0;
   std::vector<OpenBlock> open_blocks;
+  std::optional<NameId> being_declared;  // by the #declare or #local whose value is being read
   bool spline_used = false;  // an experimental feature: told at the end
   bool noise_generator_given = false;  // by global_settings: #version no longer changes it
 

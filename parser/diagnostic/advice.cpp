@@ -84,6 +84,7 @@ constexpr Advice kAdvice[] = {
     // Arrays.
     {"Negative subscript", "", "elements are counted from 0"},
     {"Array subscript out of range", "", "the elements of array[N] are 0 to N-1"},
+    {"Recursive function calls", "", "a macro may call itself, a function may not"},
     {"Attempt to access uninitialized array element", "", "assign it first: #declare A[i] = ..."},
     {"Attempted to redefine", "", "all elements of an array have the type of the first that was assigned"},
     {"Invalid dimension size", "", "sizes are at least 1: array[N]"},

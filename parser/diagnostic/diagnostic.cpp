@@ -148,6 +148,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates) {
   std::string_view best;
+  if (name.size() < 3) return best;  // everything is near
   std::size_t best_distance = name.size() <= 3 ? 1 : name.size() <= 7 ? 2 : 3;
   for (const std::string_view candidate : candidates) {
     const std::size_t difference =

@@ -133,7 +133,9 @@ Value parse_array(Session& session) {
   auto array = std::make_shared<Array>();
   constexpr std::size_t kMostElements = 1u << 28;
   std::size_t count = 1;
-  session.reader.expect(TokenKind::kLeftSquare);
+  if (!session.reader.accept(TokenKind::kLeftSquare)) {
+    session.fail_at("An array declaration must have at least one dimension", "array-dimensions", session.reader.peek());
+  }
   do {
     if (array->sizes.size() == 5) session.fail("Too many array dimensions", "array-dimensions");
     const double size = session.reader.number() + kEpsilon;
@@ -233,6 +235,19 @@ struct DeclareTarget {
   Slot element;
 };
 
+// Marks the name whose value is being read, also when reading it throws.
+class BeingDeclared {
+ public:
+  BeingDeclared(Session& session, NameId name) : session_(session), outer_(std::exchange(session.being_declared, name)) {}
+  ~BeingDeclared() { session_.being_declared = outer_; }
+  BeingDeclared(const BeingDeclared&) = delete;
+  BeingDeclared& operator=(const BeingDeclared&) = delete;
+
+ private:
+  Session& session_;
+  std::optional<NameId> outer_;
+};
+
 DeclareTarget read_target(Session& session, const Item& name, bool local) {
   const bool undeclared = name.is(TokenKind::kName);
   if (!undeclared && (!name.is(TokenKind::kIdentifier) || name.slot->holds<MacroPtr>())) {
@@ -287,7 +302,11 @@ void run_declare(Session& session, bool local) {
   }
   const Item equals = stream.take_raw();
   if (!equals.is(TokenKind::kEqual)) session.fail_expected("=", equals);
-  ParsedValue value = parse_value(session, ValueUse::kDeclare);
+  ParsedValue value;
+  {
+    const BeingDeclared mark(session, target.id);
+    value = parse_value(session, ValueUse::kDeclare);
+  }
   end_declaration(session, value.numeric);
   if (value.numeric && !target.array && keyword + 1 == name.source && name.source + 1 == equals.source) {
     KnownDirective known;

@@ -85,9 +85,9 @@ void call_macro(Session& session, const MacroPtr& macro, const Item& name) {
   session.symbols.push_table();
   const std::uint32_t table = session.symbols.newest();
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (session.symbols.find_in_newest(macro->parameters[i]) == nullptr) {
-      session.symbols.add(macro->parameters[i], table, std::move(arguments[i]));
-    }
+    // Of two parameters of one name the last counts.
+    if (session.symbols.find_in_newest(macro->parameters[i]) != nullptr) session.symbols.remove(macro->parameters[i]);
+    session.symbols.add(macro->parameters[i], table, std::move(arguments[i]));
   }
   stream.enter_macro(macro);
 }

@@ -247,10 +247,10 @@ Node parse_function_call(FunctionScope& scope, const FunctionPtr& function) {
   return scope.builder.call(function, arguments);
 }
 
-// x and u are one slot, y and v another; a slot that no parameter fills reads 0.
+// x and u are one slot, y and v another; the last parameter of a slot counts, and a slot that none fills reads 0.
 Node slot_of(FunctionScope& scope, Word word) {
   const auto slot = [](Word w) { return w == Word::kX || w == Word::kU ? 1 : w == Word::kY || w == Word::kV ? 2 : w == Word::kZ ? 3 : 0; };
-  for (std::size_t i = 0; i < scope.parameters.size(); ++i) {
+  for (std::size_t i = scope.parameters.size(); i-- > 0;) {
     const int own = slot(scope.parameters[i].word);
     if (own != 0 && own == slot(word)) return scope.builder.parameter(static_cast<unsigned>(i));
   }
@@ -269,6 +269,10 @@ std::optional<Node> named(FunctionScope& scope, NameId name) {
 }
 
 [[noreturn]] void fail_name(FunctionScope& scope, const Item& item) {
+  if (item.is(TokenKind::kName) && item.token.index == scope.session.being_declared) {
+    scope.session.stream.take();
+    scope.session.fail("Recursive function calls are not allowed!", "function-recursion");
+  }
   scope.session.fail_expected("parameter identifier or floating-point constant identifier", item);
 }
 

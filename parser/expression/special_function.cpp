@@ -59,8 +59,9 @@ Number trace(Session& session) {
 Number extent(Session& session, bool maximum) {
   if (maximum) {
     if (const auto pigment = session.reader.accept_identifier<PigmentPtr>()) {
-      const dvec2 size = geometry(session).image_size(*pigment).value_or(dvec2(0));
-      return Number(dvec3(size.x, size.y, 0));
+      const std::optional<dvec2> size = geometry(session).image_size(*pigment);
+      if (!size) session.fail("The parameter to max_extent must be an image map pigment identifier", "image-expected");
+      return Number(dvec3(*size, 0));
     }
   }
   const ObjectPtr object = object_argument(session);

@@ -20,7 +20,8 @@ void Spline::insert(double t, const Point& value) {
   const auto at = std::lower_bound(times_.begin(), times_.end(), t);
   const auto index = at - times_.begin();
   if (at != times_.end() && *at == t) {
-    if (at + 1 != times_.end()) values_[static_cast<std::size_t>(index)] = value;
+    // A second value replaces the first, but not that of the last of several times.
+    if (at + 1 != times_.end() || times_.size() == 1) values_[static_cast<std::size_t>(index)] = value;
     return;
   }
   times_.insert(at, t);

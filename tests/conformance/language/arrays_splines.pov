@@ -16,4 +16,5 @@
 #declare S = spline { linear_spline 0,0 1,<1,1,1> 1,<9,9,9> } F(S(1).x) #declare S = spline { linear_spline 0,0 1,1 2,2 1,9 2,9 } F(S(1).x) F(S(2).x)
 #declare S = spline { 0,<5,6,7> 1,1 } Vec(3,S(1)) #declare S = spline { 2,<3,3> 0,<1,1> 1,<5,5> } Vec(2,S(.5)) Vec(2,S(1.5))
 #declare S = spline { 0,<1,2,3,4,5> 1,<2,3,4,5,6> } Vec(5,S(.5)) F(S(.5).y) #declare T2 = spline { S natural_spline 2,<0,0,0,0,0> } Vec(5,T2(1.5)) Vec(5,S(1.5))
+#declare S = spline { linear_spline 0,0 0,1 0,2 } F(S(0).x) F(S(1).x) #declare S = spline { linear_spline 1,1 1,2 1,3 2,0 } F(S(1).x) F(S(1.5).x) #declare S = spline { linear_spline 1,1 1,2 0,0 } F(S(.5).x) F(S(1).x)
 #fclose W

@@ -18,4 +18,6 @@
 #declare I1 = function(x) { 1/x } F(I1(4)) F(I1(0)) #declare I2 = function { internal(61) } F(I2(1,2,3,2)) #declare H = function(x,y,z) { f4(x,y,z)+f5(x,y,z).x-f8(x,y,z).red } F(H(1,2,3))
 #declare Rc = function(n) { sum(i,1,n,sum(j,1,i,i*j)) } F(Rc(4)) #declare Bx = function(x) { x>0 & x<1 | x=5 } F(Bx(.5)) F(Bx(2)) F(Bx(5))
 #macro Body() y*2 #end #declare Mb = function { x + Body() } F(Mb(1,2,3)) #declare AA = array[2]{3,4} #declare Fa = function(x) { x*AA[1] } F(Fa(2)) #declare Fs = array[2] #declare Fs[0] = function(x) { x+1 } F(Fs[0](2))
+// Parameters that share a slot: of x and u, and of y and v, the last counts; of equal names the first, but of equal coordinates the last.
+#declare Pa = function(u,x) { x*10+u } F(Pa(1,2)) #declare Pb = function(x,y,u) { x+y+u } F(Pb(1,2,3)) #declare Pc = function(x,x) { x } F(Pc(3,4)) #declare Pd = function(a,b,a) { a } F(Pd(1,2,3))
 #fclose W

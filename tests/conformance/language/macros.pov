@@ -27,4 +27,5 @@
 #declare deprecated Old = 3; F(Old) #declare deprecated once "use New" Old2 = 3; F(Old2) F(Old2)
 #declare X1 = A1; #declare X1 = X1 + 1; V3(X1) V3(A1)
 #declare Ar = array[2]{1,2} #declare Br = Ar; #declare Br[0] = 9; F(Ar[0]) F(Br[0])
+#macro Two(A, A) F(A) #end Two(1, 2)
 #fclose W

@@ -76,17 +76,26 @@ Rgb Shader::after_shadows(const Surface& surface, const BuiltLight& source, Ligh
 
 Rgb Shader::scattered(const Surface& surface, const LitLayer& layer, const BuiltLight& source, const dvec3& to_light, Rgb color,
                       bool backside) {
+  return plan_.highlights ? diffused_and_shining(surface, layer, source, to_light, color, backside)
+                          : diffused(layer, to_light, color, backside);
+}
+
+Rgb Shader::diffused(const LitLayer& layer, const dvec3& to_light, Rgb color, bool backside) {
   const Finish& finish = layer.finish;
-  Rgb result{0.0f};
   const float k = backside ? finish.diffuse_back : finish.diffuse;
-  if (k > 0) {
-    double intensity = std::abs(glm::dot(layer.normal, to_light));
-    if (finish.brilliance != 1) intensity = std::pow(intensity, static_cast<double>(finish.brilliance));
-    float i = static_cast<float>(intensity) * k * layer.opacity;
-    if (finish.crand > 0) i -= static_cast<float>(context_.random.next()) * finish.crand;
-    result += i * layer.pigment.rgb * color;
-  }
-  if (plan_.highlights && finish.shines() && !backside && source.has_highlights() && !surface.in.kind.radiosity)
+  if (!(k > 0)) return Rgb(0.0f);
+  double intensity = std::abs(glm::dot(layer.normal, to_light));
+  if (finish.brilliance != 1) intensity = std::pow(intensity, static_cast<double>(finish.brilliance));
+  float i = static_cast<float>(intensity) * k * layer.opacity;
+  if (finish.crand > 0) i -= static_cast<float>(context_.random.next()) * finish.crand;
+  return i * layer.pigment.rgb * color;
+}
+
+// Apart, so that scenes without highlights need not keep at every light what these take.
+[[gnu::noinline]] Rgb Shader::diffused_and_shining(const Surface& surface, const LitLayer& layer, const BuiltLight& source,
+                                                   const dvec3& to_light, Rgb color, bool backside) {
+  Rgb result = diffused(layer, to_light, color, backside);
+  if (layer.finish.shines() && !backside && source.has_highlights() && !surface.in.kind.radiosity)
     result += highlights(surface, layer, to_light, color);
   return result;
 }

@@ -109,6 +109,9 @@ class Shader {
   Rgb area_illumination(const Surface& surface, const LitLayer& layer, const BuiltLight& light, const dvec3& to_center, Rgb color);
   Rgb scattered(const Surface& surface, const LitLayer& layer, const BuiltLight& light, const dvec3& to_light, Rgb color,
                 bool backside);
+  Rgb diffused(const LitLayer& layer, const dvec3& to_light, Rgb color, bool backside);
+  Rgb diffused_and_shining(const Surface& surface, const LitLayer& layer, const BuiltLight& light, const dvec3& to_light,
+                           Rgb color, bool backside);
   Rgb highlights(const Surface& surface, const LitLayer& layer, const dvec3& to_light, Rgb color) const;
   Rgb iridescence(const Finish& finish, const dvec3& point, double cos_light, double cos_view) const;
 

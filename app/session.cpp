@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "app/interrupt.hpp"
+#include "engine/plan/output_plan.hpp"
 #include "engine/plan/render_plan.hpp"
 #include "engine/plan/sampling_plan.hpp"
 #include "parser/dump/dump.hpp"
@@ -48,6 +49,7 @@ ExitCode inspect(const RenderOptions& options, const std::optional<std::string>&
   if (parsed.ok && options.action == Action::kExplain) {
     RenderPlan plan = make_plan(parsed.scene, build_options(options));
     plan_sampling(parsed.scene, options.antialiasing, options.statistics, plan);
+    plan_output(options.output, options.output_to_file, options.width, options.height, plan);
     print(plan.text(parsed.scene));
   }
   if (parsed.ok && options.action == Action::kDumpScene) print(dump_scene(parsed.scene).dump(2));

@@ -25,7 +25,6 @@ class Dither {
   const PixelError& carried(int column) const { return current_[index(column)]; }
   void spread(int column, const PixelError& error);
 
-  bool is_off() const { return method_ == DitherMethod::kNone; }
   bool diffuses() const { return method_ >= DitherMethod::kDiffusion1; }
 
  private:

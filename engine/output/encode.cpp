@@ -39,6 +39,15 @@ int code_bits(const OutputSettings& settings) {
   return 8;
 }
 
+int channel_count(const OutputSettings& settings) {
+  const FormatTraits& traits = traits_of(settings.format);
+  return (settings.greyscale && traits.has_greyscale ? 1 : 3) + (settings.alpha && traits.has_alpha ? 1 : 0);
+}
+
+DitherMethod dither_of(const OutputSettings& settings) {
+  return settings.format == FileFormat::kJpeg ? DitherMethod::kNone : settings.dither;
+}
+
 class Encoder {
  public:
   Encoder(const Film& film, const Transfer& transfer, const OutputSettings& settings)
@@ -48,20 +57,18 @@ class Encoder {
         greyscale_(settings.greyscale && traits_of(settings.format).has_greyscale),
         encodes_(!(greyscale_ && settings.format == FileFormat::kPpm)),  // a PGM holds heights, not light
         bottom_up_(settings.format == FileFormat::kBmp),
-        dither_(settings.format == FileFormat::kJpeg ? DitherMethod::kNone : settings.dither, film.width()) {
+        dither_(dither_of(settings), film.width()) {
     image_.width = film.width();
     image_.height = film.height();
-    image_.channels = (greyscale_ ? 1 : 3) + (alpha_ ? 1 : 0);
+    image_.channels = channel_count(settings);
     image_.max = (1 << code_bits(settings)) - 1;
     image_.codes.resize(static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height) *
                         static_cast<std::size_t>(image_.channels));
+    if (encodes_by_table(settings, film.width(), film.height()))
+      curve_.emplace([this](float v) { return code_of(encodes_ ? transfer_.encode(v) : v); }, image_.max);
   }
 
   EncodedImage run() {
-    constexpr std::size_t kWorthATable = 20000;  // codes; making one costs about as much as so many curves
-    if (dither_.is_off() && image_.max < 256 && image_.codes.size() >= kWorthATable) {
-      curve_.emplace([this](float v) { return code_of(encodes_ ? transfer_.encode(v) : v); }, image_.max);
-    }
     for (int i = 0; i < film_.height(); ++i) {
       const int y = bottom_up_ ? film_.height() - 1 - i : i;
       if (curve_ && !alpha_ && !greyscale_) {
@@ -127,6 +134,12 @@ class Encoder {
 };
 
 }  // namespace
+
+bool encodes_by_table(const OutputSettings& settings, int width, int height) {
+  constexpr long kWorthATable = 20000;  // codes; making one costs about as much as so many curves
+  return !traits_of(settings.format).linear_light && dither_of(settings) == DitherMethod::kNone && code_bits(settings) <= 8 &&
+         static_cast<long>(width) * height * channel_count(settings) >= kWorthATable;
+}
 
 EncodedImage encode(const Film& film, const Transfer& transfer, const OutputSettings& settings) {
   return Encoder(film, transfer, settings).run();

@@ -21,6 +21,9 @@ struct EncodedImage {
 // For formats of whole numbers.
 EncodedImage encode(const Film& film, const Transfer& transfer, const OutputSettings& settings);
 
+// Whether it looks codes up in a table of the curve: that is worth its making for large pictures.
+bool encodes_by_table(const OutputSettings& settings, int width, int height);
+
 // For OpenEXR and Radiance: linear light, alpha premultiplied and as it is.
 ImagePixels linear_light(const Film& film, const Transfer& transfer, const OutputSettings& settings);
 

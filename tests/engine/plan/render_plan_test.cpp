@@ -1,6 +1,7 @@
 // What a plan leaves out, and what it tells.
 #include <algorithm>
 
+#include "engine/plan/output_plan.hpp"
 #include "tests/engine/shade/test_scene.hpp"
 
 namespace lute::testing {
@@ -58,6 +59,23 @@ TEST(RenderPlan, ReasonsNameTheLineOfTheScene) {
   const RenderPlan plan = make_plan(s);
   EXPECT_NE(plan.text(s).find("needed because a light casts shadows (lute.pov:12)"), std::string::npos) << plan.text(s);
   EXPECT_TRUE(needs(plan, "shadow"));
+}
+
+// A table is worth its making from 20000 codes on, for 8 bits, without dithering.
+TEST(RenderPlan, CodesOfColoursAreTabledForLargePicturesOfEightBits) {
+  const auto needed = [](const OutputSettings& output, bool to_file, int width, int height) {
+    RenderPlan plan;
+    plan_output(output, to_file, width, height, plan);
+    return needs(plan, "codes of colours");
+  };
+  EXPECT_TRUE(needed({}, true, 100, 67));
+  EXPECT_FALSE(needed({}, true, 100, 66));
+  EXPECT_TRUE(needed({.alpha = true}, true, 100, 50));
+  EXPECT_FALSE(needed({}, false, 320, 240));
+  EXPECT_FALSE(needed({.bits = 16}, true, 320, 240));
+  EXPECT_FALSE(needed({.dither = DitherMethod::kBayer2}, true, 320, 240));
+  EXPECT_TRUE(needed({.format = FileFormat::kJpeg, .dither = DitherMethod::kBayer2}, true, 320, 240));
+  EXPECT_FALSE(needed({.format = FileFormat::kOpenExr}, true, 320, 240));
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ struct Value {
 // Horner's rule; `degree` at least 1.
 template <class Degree>
 inline Value evaluate(const double* c, Degree degree, double t) {
-  double f = c[degree];
-  double derivative = 0;
-  for (std::size_t i = degree; i-- > 0;) {
+  double derivative = c[degree];
+  double f = derivative * t + c[degree - 1];
+  for (std::size_t i = degree - 1; i-- > 0;) {
     derivative = derivative * t + f;
     f = f * t + c[i];
   }
@@ -40,11 +40,15 @@ inline double significant_value(const double* c, Degree degree, double t) {
   return std::abs(f) <= 2 * kUlp * static_cast<double>(degree) * size ? 0 : f;
 }
 
-// The root between lo and hi, where the polynomial is monotone and has values of opposite sign.
+// A stretch on which the polynomial is monotone and changes its sign, and where to look first.
+struct Bracket {
+  double lo, hi, f_lo, guess;
+};
+
 template <class Degree>
-double bracketed_root(const double* c, Degree degree, double lo, double hi, double f_lo) {
-  const bool rising = f_lo < 0;
-  double t = 0.5 * (lo + hi);
+double bracketed_root(const double* c, Degree degree, const Bracket& bracket) {
+  double lo = bracket.lo, hi = bracket.hi, t = bracket.guess;
+  const bool rising = bracket.f_lo < 0;
   for (int step = 0; step < 200; ++step) {
     const Value v = evaluate(c, degree, t);
     if (v.f == 0) return t;
@@ -53,6 +57,51 @@ double bracketed_root(const double* c, Degree degree, double lo, double hi, doub
     if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);  // also for a derivative of 0
     if (std::abs(next - t) <= kUlp * std::abs(next) || next == lo || next == hi) return next;
     // Newton creeping along one side of a flat stretch: halve now and then.
+    if (step % 16 == 15) next = 0.5 * (lo + hi);
+    t = next;
+  }
+  return t;
+}
+
+// The value with its first three derivatives, each divided by the factorial of its order; degree 3 or 4.
+struct Taylor {
+  double f, first, second, third;
+};
+
+inline Taylor expand(const double* c, std::integral_constant<std::size_t, 3>, double t) {
+  const double f = c[3] * t + c[2], first = c[3] * t + f;
+  return {(f * t + c[1]) * t + c[0], first * t + (f * t + c[1]), c[3] * t + first, c[3]};
+}
+inline Taylor expand(const double* c, std::integral_constant<std::size_t, 4>, double t) {
+  const double f3 = c[4] * t + c[3], f2 = f3 * t + c[2], f1 = f2 * t + c[1];
+  const double g3 = c[4] * t + f3, g2 = g3 * t + f2;
+  const double h3 = c[4] * t + g3;
+  return {f1 * t + c[0], g2 * t + f1, h3 * t + g2, c[4] * t + h3};
+}
+
+// The same with Halley's steps, whose error falls with its cube: (second^2 - third first) / first^2 step^3 is left after one. It ends
+// where that is below the last bit, so that no step is spent on seeing that nothing moves any more.
+template <std::size_t Degree>
+double bracketed_root(const double* c, std::integral_constant<std::size_t, Degree> degree, const Bracket& bracket) {
+  double lo = bracket.lo, hi = bracket.hi, t = bracket.guess;
+  const bool rising = bracket.f_lo < 0;
+  for (int step = 0; step < 200; ++step) {
+    const Taylor v = expand(c, degree, t);
+    if (v.f == 0) return t;
+    ((v.f < 0) == rising ? lo : hi) = t;
+    const double slope2 = v.first * v.first;
+    double next = t - v.f * v.first / (slope2 - v.f * v.second);
+    if (next > lo && next < hi) {
+      const double moved = std::abs(next - t), size = std::abs(next);
+      if (moved <= 1e-4 * size && std::abs(v.second) * moved <= 1e-3 * std::abs(v.first) &&
+          std::abs(v.second * v.second - v.third * v.first) * (moved * moved * moved) <= 0.25 * kUlp * size * slope2)
+        return next;
+    } else {
+      next = t - v.f / v.first;
+      if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);  // also for a derivative of 0
+    }
+    if (std::abs(next - t) <= kUlp * std::abs(next) || next == lo || next == hi) return next;
+    // Creeping along one side of a flat stretch: halve now and then.
     if (step % 16 == 15) next = 0.5 * (lo + hi);
     t = next;
   }
@@ -88,10 +137,6 @@ std::size_t quadratic_roots(const double* c, Interval range, double* out) {
   return count;
 }
 
-struct Bracket {
-  double lo, hi, f_lo;
-};
-
 // Shortens a long bracket that begins at an inner point (where the derivative is 0, or the beginning of a range) and ends far out:
 // steps of growing length from the inner point. The first is the root of the parabola, or the line, that fits there. Without this,
 // Newton's method comes in from afar by a constant factor a step.
@@ -121,8 +166,13 @@ Bracket shorten_from(const double* c, Degree degree, double inner, double outer,
     reached = t;
     f_reached = f_t;
   }
-  if (direction > 0) return {reached, end, f_reached};
-  return {end, reached, -f_reached};
+  double guess = inner + direction * step;
+  if (direction > 0) {
+    if (!(guess > reached && guess < end)) guess = 0.5 * (reached + end);
+    return {reached, end, f_reached, guess};
+  }
+  if (!(guess < reached && guess > end)) guess = 0.5 * (reached + end);
+  return {end, reached, -f_reached, guess};
 }
 
 // The roots of a polynomial in range, from the points that split the range into monotone stretches.
@@ -142,13 +192,13 @@ std::size_t roots_between(const double* c, Degree degree, Interval range, const 
     if (!(hi > lo)) continue;
     const double f_hi = last ? evaluate(c, degree, hi).f : significant_value(c, degree, hi);
     if ((f_lo < 0 && f_hi > 0) || (f_lo > 0 && f_hi < 0)) {
-      Bracket bracket{lo, hi, f_lo};
+      Bracket bracket{lo, hi, f_lo, 0.5 * (lo + hi)};
       if (last) {
         bracket = shorten_from(c, degree, lo, hi, f_lo);
       } else if (i == 0) {
         bracket = shorten_from(c, degree, hi, lo, f_hi);
       }
-      add(bracketed_root(c, degree, bracket.lo, bracket.hi, bracket.f_lo));
+      add(bracketed_root(c, degree, bracket));
     }
     if (f_hi == 0) add(hi);
     lo = hi;

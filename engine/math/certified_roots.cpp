@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
+#include "engine/math/bracketed_root.hpp"
 namespace lute {
 
 namespace {
@@ -15,47 +17,87 @@ constexpr std::size_t kMaxTerms = kMaxPolynomialDegree + 1;
 // Not the middle: roots of scenes like to lie at binary fractions, and a root at the border of two halves takes both of them long.
 constexpr double kShare = 0.4843;
 
-// A coefficient and a bound of its error.
+// A value and a bound of its error.
 struct Bounded {
   double value = 0, error = 0;
 
   int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
 };
 
-// (1 - share) a + share b; the factors are exact enough to be counted as two roundings each.
-Bounded between(const Bounded& a, const Bounded& b, double share) {
-  const double value = (1 - share) * a.value + share * b.value;
-  const double size = (1 - share) * std::abs(a.value) + share * std::abs(b.value);
-  return {value, ((1 - share) * a.error + share * b.error + 4 * kRounding * size) * (1 + 8 * kRounding)};
-}
+// Coefficients and bounds of their errors.
+struct Terms {
+  std::array<double, kMaxTerms> value, error;
 
-using Terms = std::array<Bounded, kMaxTerms>;
+  int sign(std::size_t i) const { return Bounded{value[i], error[i]}.sign(); }
+};
 
-// Bernstein coefficients over an interval: a Taylor shift to its beginning, in units of its length, then sums of divided terms.
-Terms bernstein(std::span<const double> c, Interval over) {
-  const std::size_t degree = c.size() - 1;
-  Terms b;
-  for (std::size_t i = 0; i <= degree; ++i) b[i] = {c[i], 0};
-  const auto add = [](Bounded& to, const Bounded& from, double factor) {
-    const double product = factor * from.value;
-    const double value = to.value + product;
-    to.error = (to.error + std::abs(factor) * from.error + kRounding * (std::abs(product) + std::abs(value))) * (1 + 8 * kRounding);
-    to.value = value;
-  };
-  for (std::size_t i = 0; i < degree; ++i)
-    for (std::size_t j = degree; j-- > i;) add(b[j], b[j + 1], over.lo);
+// What the rounding of the bounds themselves can take from them in as many steps of sums and products as the degree.
+double inflation_of(std::size_t degree) { return 1 + 9 * kRounding * static_cast<double>(degree + 1); }
+
+constexpr auto kBinomial = [] {
+  std::array<std::array<double, kMaxTerms>, kMaxTerms> binomial{};
+  for (std::size_t n = 0; n < kMaxTerms; ++n) {
+    binomial[n][0] = 1;
+    for (std::size_t i = 1; i <= n; ++i) binomial[n][i] = binomial[n][i - 1] * static_cast<double>(n - i + 1) / static_cast<double>(i);
+  }
+  return binomial;
+}();
+
+// Bernstein coefficients over an interval: a Taylor shift to its beginning, in units of its length, then sums of divided terms. The degree may
+// be a constant of type std::integral_constant.
+template <class Degree>
+void bernstein(const double* c, Degree degree, Interval over, Terms& b) {
+  std::copy(c, c + degree + 1, b.value.begin());
+  std::fill(b.error.begin(), b.error.begin() + degree + 1, 0.0);
+  for (std::size_t i = 0; over.lo != 0 && i < degree; ++i)
+    for (std::size_t j = degree; j-- > i;) {
+      const double product = over.lo * b.value[j + 1];
+      const double value = b.value[j] + product;
+      b.error[j] = (b.error[j] + std::abs(over.lo) * b.error[j + 1] + kRounding * (std::abs(product) + std::abs(value))) * (1 + 8 * kRounding);
+      b.value[j] = value;
+    }
+  const double width = over.hi - over.lo;
   double power = 1;
-  double binomial = 1;
   for (std::size_t i = 0; i <= degree; ++i) {
-    const double factor = power / binomial;
-    b[i].value *= factor;
-    b[i].error = (b[i].error * factor + (2 * static_cast<double>(i) + 6) * kRounding * std::abs(b[i].value)) * (1 + 8 * kRounding);
-    power *= over.hi - over.lo;
-    binomial = binomial * static_cast<double>(degree - i) / static_cast<double>(i + 1);
+    const double factor = power / kBinomial[degree][i];
+    b.value[i] *= factor;
+    b.error[i] = (b.error[i] * factor + (2 * static_cast<double>(i) + 6) * kRounding * std::abs(b.value[i])) * (1 + 8 * kRounding);
+    power *= width;
   }
   for (std::size_t i = 1; i <= degree; ++i)
-    for (std::size_t j = degree; j >= i; --j) add(b[j], b[j - 1], 1);
-  return b;
+    for (std::size_t j = degree; j >= i; --j) {
+      const double value = b.value[j] + b.value[j - 1];
+      b.error[j] += b.error[j - 1] + kRounding * std::abs(value);
+      b.value[j] = value;
+    }
+  const double inflation = inflation_of(degree);
+  for (std::size_t i = 0; i <= degree; ++i) b.error[i] *= inflation;
+}
+
+// De Casteljau's scheme at kShare: `left` and `b` become the coefficients over both parts. Each step is (1 - share) a + share b; the factors
+// are exact enough to be counted as two roundings each, four with those of the product and the sum.
+template <class Degree>
+void split(Terms& b, Degree degree, Terms& left) {
+  constexpr double kRest = 1 - kShare;
+  left.value[0] = b.value[0];
+  left.error[0] = b.error[0];
+  for (std::size_t i = 1; i <= degree; ++i) {
+    double value = b.value[0], error = b.error[0] + 4 * kRounding * std::abs(value);
+    for (std::size_t j = 0; j + i <= degree; ++j) {
+      const double next_value = b.value[j + 1], next_error = b.error[j + 1] + 4 * kRounding * std::abs(next_value);
+      b.value[j] = kRest * value + kShare * next_value;
+      b.error[j] = kRest * error + kShare * next_error;
+      value = next_value;
+      error = next_error;
+    }
+    left.value[i] = b.value[0];
+    left.error[i] = b.error[0];
+  }
+  const double inflation = inflation_of(degree);
+  for (std::size_t i = 0; i <= degree; ++i) {
+    left.error[i] *= inflation;
+    b.error[i] *= inflation;
+  }
 }
 
 struct Signs {
@@ -67,58 +109,66 @@ struct Signs {
 // A coefficient this many times its error is clear. Less clear ones make a cluster: dividing them on and on tells nothing new.
 constexpr double kClear = 16;
 
-Signs signs_of(const Terms& b, std::size_t degree) {
+template <class Degree>
+Signs signs_of(const Terms& b, Degree degree) {
   Signs signs;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double low = kInfinity, high = -kInfinity, clear = -kInfinity;
+  for (std::size_t i = 0; i <= degree; ++i) {
+    low = std::min(low, b.value[i] - b.error[i]);
+    high = std::max(high, b.value[i] + b.error[i]);
+    clear = std::max(clear, std::abs(b.value[i]) - kClear * b.error[i]);
+  }
+  signs.any = clear > 0;
+  if (low > 0 || high < 0) return signs;
   int last = 0;
   for (std::size_t i = 0; i <= degree; ++i) {
-    const int sign = b[i].sign();
+    const int sign = b.sign(i);
     if (sign == 0) {
       signs.certain = false;
       continue;
     }
-    signs.any |= std::abs(b[i].value) > kClear * b[i].error;
     if (last != 0 && sign != last) ++signs.changes;
     last = sign;
   }
   return signs;
 }
 
+template <class Degree>
 class Isolation {
  public:
-  Isolation(std::span<const double> c, Interval range) : c_(c), degree_(c.size() - 1), range_(range) {}
+  Isolation(std::span<const double> c, Degree degree, Interval range) : c_(c), degree_(degree), range_(range) {}
 
   Roots<kMaxPolynomialDegree> roots() {
-    divide(range_.lo, range_.hi, bernstein(c_, range_), 0);
+    Terms b;
+    bernstein(c_.data(), degree_, range_, b);
+    divide(range_.lo, range_.hi, b, 0);
     close_cluster();
     return found_;
   }
 
  private:
-  void divide(double lo, double hi, const Terms& parents, int depth) {
+  // Overwrites the coefficients.
+  void divide(double lo, double hi, Terms& b, int depth) {
     if (found_.count == degree_) return;
-    Terms b = parents;
     Signs signs = signs_of(b, degree_);
     if (!signs.any) {  // errors were inherited from a wider interval: begin anew
-      b = bernstein(c_, {lo, hi});
+      bernstein(c_.data(), degree_, {lo, hi}, b);
       signs = signs_of(b, degree_);
     }
     if (signs.certain && signs.changes == 0) return close_cluster();
     if (signs.certain && signs.changes == 1) {
       close_cluster();
-      if (const double root = bracketed(c_, lo, hi); root > covered_) add_root(root);
+      if (const double root = bracketed(c_.data(), degree_, lo, hi); root > covered_) add_root(root);
       return;
     }
     constexpr int kDeepest = 120;
-    const double split = lo + kShare * (hi - lo);
-    if (!signs.any || depth == kDeepest || !(split > lo && split < hi)) return extend_cluster(lo, hi);
-    Terms left, right = b;
-    for (std::size_t i = 0; i <= degree_; ++i) {
-      left[i] = right[0];
-      for (std::size_t j = 0; j + i < degree_; ++j) right[j] = between(right[j], right[j + 1], kShare);
-    }
-    // After the sweep right[j] belongs to the second part, from its beginning.
-    divide(lo, split, left, depth + 1);
-    divide(split, hi, right, depth + 1);
+    const double middle = lo + kShare * (hi - lo);
+    if (!signs.any || depth == kDeepest || !(middle > lo && middle < hi)) return extend_cluster(lo, hi);
+    Terms left;
+    split(b, degree_, left);
+    divide(lo, middle, left, depth + 1);
+    divide(middle, hi, b, depth + 1);
   }
 
   // ---- clusters: neighbouring intervals over which the polynomial cannot be told from zero ----
@@ -159,12 +209,14 @@ class Isolation {
     std::array<double, kMaxTerms> derivative;
     std::copy(c_.begin(), c_.end(), derivative.begin());
     double root = 0.5 * (around.lo + around.hi);
+    Terms b;
     for (std::size_t degree = degree_; degree >= 1; --degree) {
       const std::span<const double> terms(derivative.data(), degree + 1);
       const double at_lo = value(terms, around.lo).value, at_hi = value(terms, around.hi).value;
-      if ((at_lo < 0 && at_hi > 0) || (at_lo > 0 && at_hi < 0)) root = bracketed(terms, around.lo, around.hi);
+      if ((at_lo < 0 && at_hi > 0) || (at_lo > 0 && at_hi < 0)) root = bracketed(derivative.data(), degree, around.lo, around.hi);
       for (std::size_t i = 0; i < degree; ++i) derivative[i] = static_cast<double>(i + 1) * derivative[i + 1];
-      const Signs signs = signs_of(bernstein({derivative.data(), degree}, around), degree - 1);
+      bernstein(derivative.data(), degree - 1, around, b);
+      const Signs signs = signs_of(b, degree - 1);
       if (signs.certain && signs.changes == 0) break;
     }
     return root;
@@ -186,30 +238,20 @@ class Isolation {
     return {f, 2 * static_cast<double>(c.size()) * kRounding * size};
   }
 
-  // The root between lo and hi, where the values have opposite signs and there is one root: Newton's method inside its bracket.
-  static double bracketed(std::span<const double> c, double lo, double hi) {
-    const bool rising = value(c, lo).value < 0;
-    double t = 0.5 * (lo + hi);
-    for (int step = 0; step < 200; ++step) {
-      double f = 0, slope = 0;
-      for (std::size_t i = c.size(); i-- > 0;) {
-        slope = slope * t + f;
-        f = f * t + c[i];
-      }
-      if (f == 0) return t;
-      ((f < 0) == rising ? lo : hi) = t;
-      double next = t - f / slope;
-      if (!(next > lo && next < hi) || step % 16 == 15) next = 0.5 * (lo + hi);
-      if (std::abs(next - t) <= std::numeric_limits<double>::epsilon() * std::abs(next) || next == lo || next == hi) return next;
-      t = next;
-    }
-    return t;
+  // The root between lo and hi, where the values have opposite signs and there is one root.
+  template <class AnyDegree>
+  static double bracketed(const double* c, AnyDegree degree, double lo, double hi) {
+    const Bracket bracket{lo, hi, value({c, degree + 1}, lo).value, 0.5 * (lo + hi)};
+    if (degree >= 3) return bracketed_root(c, degree, bracket);
+    std::array<double, 4> padded{};
+    std::copy(c, c + degree + 1, padded.begin());
+    return bracketed_root(padded.data(), std::integral_constant<std::size_t, 3>(), bracket);
   }
 
   static constexpr Interval kNoCluster{1, 0};
 
   std::span<const double> c_;
-  std::size_t degree_;
+  Degree degree_;
   Interval range_;
   Interval cluster_ = kNoCluster;
   double covered_ = -std::numeric_limits<double>::infinity();  // end of the last cluster
@@ -221,10 +263,14 @@ class Isolation {
 Roots<kMaxPolynomialDegree> certified_roots(std::span<const double> c, Interval range) {
   while (!c.empty() && c.back() == 0) c = c.first(c.size() - 1);
   if (c.size() < 2) return {};
-  const double bound = root_bound(c);
-  range = {std::max(range.lo, -bound), std::min(range.hi, bound)};
+  if (!(range.lo >= -1 && range.hi <= 1)) {  // what is short already needs no bound
+    const double bound = root_bound(c);
+    range = {std::max(range.lo, -bound), std::min(range.hi, bound)};
+  }
   if (range.empty()) return {};
-  return Isolation(c, range).roots();
+  using SphereSweepDegree = std::integral_constant<std::size_t, 10>;
+  if (c.size() == 11) return Isolation(c, SphereSweepDegree(), range).roots();
+  return Isolation(c, c.size() - 1, range).roots();
 }
 
 }  // namespace lute

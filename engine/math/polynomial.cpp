@@ -5,6 +5,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "engine/math/bracketed_root.hpp"
+
 namespace lute {
 
 namespace {
@@ -38,74 +40,6 @@ inline double significant_value(const double* c, Degree degree, double t) {
     size = size * abs_t + std::abs(c[i]);
   }
   return std::abs(f) <= 2 * kUlp * static_cast<double>(degree) * size ? 0 : f;
-}
-
-// A stretch on which the polynomial is monotone and changes its sign, and where to look first.
-struct Bracket {
-  double lo, hi, f_lo, guess;
-};
-
-template <class Degree>
-double bracketed_root(const double* c, Degree degree, const Bracket& bracket) {
-  double lo = bracket.lo, hi = bracket.hi, t = bracket.guess;
-  const bool rising = bracket.f_lo < 0;
-  for (int step = 0; step < 200; ++step) {
-    const Value v = evaluate(c, degree, t);
-    if (v.f == 0) return t;
-    ((v.f < 0) == rising ? lo : hi) = t;
-    double next = t - v.f / v.derivative;
-    if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);  // also for a derivative of 0
-    if (std::abs(next - t) <= kUlp * std::abs(next) || next == lo || next == hi) return next;
-    // Newton creeping along one side of a flat stretch: halve now and then.
-    if (step % 16 == 15) next = 0.5 * (lo + hi);
-    t = next;
-  }
-  return t;
-}
-
-// The value with its first three derivatives, each divided by the factorial of its order; degree 3 or 4.
-struct Taylor {
-  double f, first, second, third;
-};
-
-inline Taylor expand(const double* c, std::integral_constant<std::size_t, 3>, double t) {
-  const double f = c[3] * t + c[2], first = c[3] * t + f;
-  return {(f * t + c[1]) * t + c[0], first * t + (f * t + c[1]), c[3] * t + first, c[3]};
-}
-inline Taylor expand(const double* c, std::integral_constant<std::size_t, 4>, double t) {
-  const double f3 = c[4] * t + c[3], f2 = f3 * t + c[2], f1 = f2 * t + c[1];
-  const double g3 = c[4] * t + f3, g2 = g3 * t + f2;
-  const double h3 = c[4] * t + g3;
-  return {f1 * t + c[0], g2 * t + f1, h3 * t + g2, c[4] * t + h3};
-}
-
-// The same with Halley's steps, whose error falls with its cube: (second^2 - third first) / first^2 step^3 is left after one. It ends
-// where that is below the last bit, so that no step is spent on seeing that nothing moves any more.
-template <std::size_t Degree>
-double bracketed_root(const double* c, std::integral_constant<std::size_t, Degree> degree, const Bracket& bracket) {
-  double lo = bracket.lo, hi = bracket.hi, t = bracket.guess;
-  const bool rising = bracket.f_lo < 0;
-  for (int step = 0; step < 200; ++step) {
-    const Taylor v = expand(c, degree, t);
-    if (v.f == 0) return t;
-    ((v.f < 0) == rising ? lo : hi) = t;
-    const double slope2 = v.first * v.first;
-    double next = t - v.f * v.first / (slope2 - v.f * v.second);
-    if (next > lo && next < hi) {
-      const double moved = std::abs(next - t), size = std::abs(next);
-      if (moved <= 1e-4 * size && std::abs(v.second) * moved <= 1e-3 * std::abs(v.first) &&
-          std::abs(v.second * v.second - v.third * v.first) * (moved * moved * moved) <= 0.25 * kUlp * size * slope2)
-        return next;
-    } else {
-      next = t - v.f / v.first;
-      if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);  // also for a derivative of 0
-    }
-    if (std::abs(next - t) <= kUlp * std::abs(next) || next == lo || next == hi) return next;
-    // Creeping along one side of a flat stretch: halve now and then.
-    if (step % 16 == 15) next = 0.5 * (lo + hi);
-    t = next;
-  }
-  return t;
 }
 
 // Roots of c0 + c1 t in range.

@@ -9,7 +9,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
+#include "engine/math/bracketed_root.hpp"
 #include "engine/math/polynomial.hpp"
 
 namespace lute {
@@ -72,23 +74,13 @@ class RootWalk {
     return search(left, lo, middle, depth + 1) || search(right, middle, hi, depth + 1);
   }
 
-  // Newton's method inside the bracket of one root, from where a straight line would have it.
+  // From where a straight line would have the root.
   double bracketed(double lo, double hi, double f_lo, double f_hi) const {
-    const bool rising = f_lo < 0;
-    double t = lo + (hi - lo) * (f_lo / (f_lo - f_hi));
-    for (int step = 0; step < 100; ++step) {
-      double f = c_[Degree], slope = 0;
-      for (std::size_t i = Degree; i-- > 0;) {
-        slope = slope * t + f;
-        f = f * t + c_[i];
-      }
-      ((f < 0) == rising ? lo : hi) = t;
-      double next = t - f / slope;
-      if (!(next > lo && next < hi) || step % 16 == 15) next = 0.5 * (lo + hi);
-      if (std::abs(next - t) <= std::numeric_limits<double>::epsilon() * std::abs(next) || next == lo || next == hi) return next;
-      t = next;
-    }
-    return t;
+    const double guess = lo + (hi - lo) * (f_lo / (f_lo - f_hi));
+    constexpr std::size_t kDegree = std::max<std::size_t>(Degree, 3);
+    std::array<double, kDegree + 1> c{};
+    std::copy(c_.begin(), c_.end(), c.begin());
+    return bracketed_root(c.data(), std::integral_constant<std::size_t, kDegree>(), {lo, hi, f_lo, guess});
   }
 
   const Coefficients& c_;

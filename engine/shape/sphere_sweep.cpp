@@ -31,15 +31,25 @@ std::array<double, N - 1> derivative(const std::array<double, N>& a) {
   return c;
 }
 
+// The sphere at one end of a segment, and how fast it moves and grows there.
+struct SweepEnd {
+  dvec3 center, slope;
+  double radius, radius_slope;
+};
+
 // Centre and radius as cubics of u in [0, 1].
 struct SweepSegment {
   std::array<dvec3, 4> center;
   std::array<double, 4> radius;
 
+  std::array<double, 7> power{};  // |c(u) - c(0)|² - r(u)²
+  SweepEnd first{}, last{};
+
   dvec3 center_at(double u) const { return ((center[3] * u + center[2]) * u + center[1]) * u + center[0]; }
   double radius_at(double u) const { return ((radius[3] * u + radius[2]) * u + radius[1]) * u + radius[0]; }
-  dvec3 center_slope(double u) const { return (3.0 * center[3] * u + 2.0 * center[2]) * u + center[1]; }
-  double radius_slope(double u) const { return (3 * radius[3] * u + 2 * radius[2]) * u + radius[1]; }
+  SweepEnd end(double u) const {
+    return {center_at(u), (3.0 * center[3] * u + 2.0 * center[2]) * u + center[1], radius_at(u), (3 * radius[3] * u + 2 * radius[2]) * u + radius[1]};
+  }
 };
 
 // The basis of chapter 20 §5.14, for a value of any kind.
@@ -54,17 +64,27 @@ std::array<Value, 4> interpolate(SphereSweep::Spline spline, const Value& p0, co
   return {(p0 + 4.0 * p1 + p2) / 6.0, 0.5 * (p2 - p0), 0.5 * (p0 - 2.0 * p1 + p2), (3.0 * (p1 - p2) + p3 - p0) / 6.0};
 }
 
-// |q - c(u)|² - r(u)² as a polynomial of u.
-std::array<double, 7> sphere_power(const SweepSegment& s, const dvec3& q) {
-  std::array<double, 7> sum{};
+SweepSegment sweep_segment(const std::array<dvec3, 4>& center, const std::array<double, 4>& radius) {
+  SweepSegment s{center, radius};
+  s.first = s.end(0);
+  s.last = s.end(1);
   for (int axis = 0; axis < 3; ++axis) {
-    const std::array<double, 4> w{s.center[0][axis] - q[axis], s.center[1][axis], s.center[2][axis], s.center[3][axis]};
+    const std::array<double, 4> w{0, center[1][axis], center[2][axis], center[3][axis]};
     const std::array<double, 7> square = product(w, w);
-    for (std::size_t i = 0; i < 7; ++i) sum[i] += square[i];
+    for (std::size_t i = 0; i < 7; ++i) s.power[i] += square[i];
   }
-  const std::array<double, 7> square = product(s.radius, s.radius);
-  for (std::size_t i = 0; i < 7; ++i) sum[i] -= square[i];
-  return sum;
+  const std::array<double, 7> square = product(radius, radius);
+  for (std::size_t i = 0; i < 7; ++i) s.power[i] -= square[i];
+  return s;
+}
+
+// |q - c(u)|² - r(u)² as a polynomial of u. In coordinates about c(0), so that far from the origin nothing is lost.
+std::array<double, 7> sphere_power(const SweepSegment& s, const dvec3& q) {
+  const dvec3 from_start = q - s.center[0];
+  std::array<double, 7> power = s.power;
+  power[0] += glm::dot(from_start, from_start);
+  for (std::size_t i = 1; i < 4; ++i) power[i] -= 2 * glm::dot(from_start, s.center[i]);
+  return power;
 }
 
 struct Candidate {
@@ -86,16 +106,13 @@ void add_sphere(const Ray& ray, const dvec3& center, double radius, Candidates& 
 }
 
 // The plane through the circle in which the envelope touches the sphere at one end of a segment.
-void add_closing_plane(const Ray& ray, const SweepSegment& s, double u, Candidates& out) {
-  const dvec3 slope = s.center_slope(u);
-  const double speed = glm::dot(ray.direction, slope);
+void add_closing_plane(const Ray& ray, const SweepEnd& end, double outwards, Candidates& out) {
+  const double speed = glm::dot(ray.direction, end.slope);
   if (std::abs(speed) <= kEpsilon) return;
-  const dvec3 center = s.center_at(u);
-  const double radius = s.radius_at(u);
-  const double t = -(glm::dot(ray.origin - center, slope) + radius * s.radius_slope(u)) / speed;
-  const dvec3 from_center = ray.at(t) - center;
-  if (std::abs(t) >= kMaxDepth || !(glm::dot(from_center, from_center) < radius * radius)) return;
-  out.push_back({t, (u == 0 ? -1.0 : 1.0) * glm::normalize(slope)});
+  const double t = -(glm::dot(ray.origin - end.center, end.slope) + end.radius * end.radius_slope) / speed;
+  const dvec3 from_center = ray.at(t) - end.center;
+  if (std::abs(t) >= kMaxDepth || !(glm::dot(from_center, from_center) < end.radius * end.radius)) return;
+  out.push_back({t, outwards * glm::normalize(end.slope)});
 }
 
 // A hit keeps its normal.
@@ -111,8 +128,8 @@ class Sweep final : public ScannedShape<Sweep> {
       const auto& b = linear ? p[i + 1] : p[i + 2];
       const auto& before = linear ? a : p[i];
       const auto& after = linear ? b : p[i + 3];
-      segments_.push_back({interpolate(spline_, before.center, a.center, b.center, after.center),
-                           interpolate(spline_, before.radius, a.radius, b.radius, after.radius)});
+      segments_.push_back(sweep_segment(interpolate(spline_, before.center, a.center, b.center, after.center),
+                           interpolate(spline_, before.radius, a.radius, b.radius, after.radius)));
       boxes_.push_back(segment_box(segments_.back()));
     }
   }
@@ -200,12 +217,12 @@ class Sweep final : public ScannedShape<Sweep> {
     for (std::size_t i = 0; i < segments_.size(); ++i)
       if (line_meets(ray, reciprocal, boxes_[i])) met.push_back(&segments_[i]);
     if (met.empty()) return;
-    for (const SweepSegment* s : met) add_sphere(ray, s->center_at(0), s->radius_at(0), out);
+    for (const SweepSegment* s : met) add_sphere(ray, s->first.center, s->first.radius, out);
     // The sphere where a segment ends is that where the next one begins; if that one is beside the ray, so is the sphere.
-    if (met.back() == &segments_.back()) add_sphere(ray, segments_.back().center_at(1), segments_.back().radius_at(1), out);
+    if (met.back() == &segments_.back()) add_sphere(ray, met.back()->last.center, met.back()->last.radius, out);
     for (const SweepSegment* s : met) {
-      add_closing_plane(ray, *s, 0, out);
-      add_closing_plane(ray, *s, 1, out);
+      add_closing_plane(ray, s->first, -1, out);
+      add_closing_plane(ray, s->last, 1, out);
     }
     for (const SweepSegment* segment : met) {
       const SweepSegment& s = *segment;
@@ -251,11 +268,12 @@ class Sweep final : public ScannedShape<Sweep> {
       b[i] = 2 * glm::dot(ray.direction, (i == 0 ? ray.origin : dvec3(0)) - s.center[i]);
     const std::array<double, 6> dc = derivative(c);
     const std::array<double, 3> db = derivative(b);
+    std::array<double, 9> inner = product(db, c);
+    const std::array<double, 9> b_dc = product(b, dc);
+    for (std::size_t i = 0; i < inner.size(); ++i) inner[i] -= b_dc[i];
     std::array<double, 11> e = product(dc, dc);
-    const auto b_db_dc = product(product(b, db), dc);
-    const auto db2_c = product(product(db, db), c);
-    for (std::size_t i = 0; i < b_db_dc.size(); ++i) e[i] += db2_c[i] - b_db_dc[i];
-    if (!may_have_root(e, kSegment)) return;
+    const std::array<double, 11> rest = product(db, inner);
+    for (std::size_t i = 0; i < e.size(); ++i) e[i] += rest[i];
     for (const double u : certified_roots(e, kSegment)) add_whole_sphere(ray, s.center_at(u), s.radius_at(u), out);
   }
 

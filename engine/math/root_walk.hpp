@@ -17,7 +17,8 @@
 namespace lute {
 
 // Coefficients ascending, the range finite and not empty. visit(t) is called with ascending roots until it returns true; then true is returned.
-template <std::size_t Degree, class Visit>
+// Unless kExact, t may be anywhere within the range where that has one root only.
+template <std::size_t Degree, bool kExact, class Visit>
 class RootWalk {
  public:
   using Coefficients = std::array<double, Degree + 1>;
@@ -55,7 +56,7 @@ class RootWalk {
       changes += (b[i] < 0) != (b[i - 1] < 0);
     }
     if (clear && changes == 0) return false;
-    if (clear && changes == 1) return visit_(bracketed(lo, hi, b[0], b[Degree]));
+    if (clear && changes == 1) return visit_(kExact ? bracketed(lo, hi, b[0], b[Degree]) : 0.5 * (lo + hi));
     constexpr int kDeepest = 5;
     if (depth == kDeepest) {
       for (const double t : solve_polynomial(c_, {lo, hi})) {
@@ -89,9 +90,9 @@ class RootWalk {
   double last_ = -std::numeric_limits<double>::infinity();
 };
 
-template <std::size_t Terms, class Visit>
+template <bool kExact = true, std::size_t Terms, class Visit>
 bool walk_roots(const std::array<double, Terms>& c, Interval range, Visit&& visit) {
-  return RootWalk<Terms - 1, Visit>(c, visit).walk(range);
+  return RootWalk<Terms - 1, kExact, Visit>(c, visit).walk(range);
 }
 
 }  // namespace lute

@@ -132,7 +132,7 @@ class BlobSurface final : public ScannedShape<BlobSurface> {
       if (!(hi > lo)) continue;
       while (started < stretches.size() && stretches[started].begin <= lo) ++started;
       const std::array<double, 5> c = density_along({stretches.data(), started}, lo);
-      const bool enough = walk_roots(c, {0, hi - lo}, [&](double root) {
+      const bool enough = walk_roots<depth_matters<Sink>()>(c, {0, hi - lo}, [&](double root) {
         const double t = lo + root;
         if (t <= last) return false;  // a root at a joint belongs to both sides
         last = t;

@@ -127,6 +127,9 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
       z_ = {std::min(z_.lo, segments_.back().z.lo), std::max(z_.hi, segments_.back().z.hi)};
     }
     join_corners();
+    box_ = local_box();
+    const dvec3 slack = 1e-9 * (box_.hi - box_.lo);
+    box_ = {box_.lo - slack, box_.hi + slack};
   }
 
   template <class Sink>
@@ -136,17 +139,21 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     local.direction /= length;
     const double dy = local.direction.y;
     if (std::abs(dy) < kEpsilon && (local.origin.y < low_ || local.origin.y > high_)) return;
-    if (!line_meets_box(local)) return;
     // Depths that still count, a little widened; in local units.
     Interval wanted{range.lo * length - 1e-9 * std::abs(range.lo * length), range.hi * length * (1 + 1e-9)};
+    if (!meets_box(local, wanted)) return;
+    bool enough = false;
     const auto found = [&](double t, std::uint32_t part, double w) {
-      if (sink(t / length, part, std::array<double, 3>{w, 0, 0})) wanted.hi = std::min(wanted.hi, t + 1e-9 * std::abs(t));
+      if (!sink(t / length, part, std::array<double, 3>{w, 0, 0})) return;
+      wanted.hi = std::min(wanted.hi, t + 1e-9 * std::abs(t));
+      enough = !depth_matters<Sink>();
     };
     if (!open_ && std::abs(dy) >= kEpsilon) {
       for (const double height : {high_, low_}) {
         const double t = (height - local.origin.y) / dy;
         const dvec3 p = local.at(t);
         if (wanted.contains(t) && in_section(p.x, p.z, height)) found(t, kCaps, 0);
+        if (enough) return;
       }
     }
     const Section passage = section_between(local, low_, high_);
@@ -165,6 +172,7 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
       } else if (degree_ == 1 || !segments_[i].is_apart(local, wanted)) {
         scan_side(segments_[i], local, emit);
       }
+      if (enough) return;
     }
   }
 
@@ -201,22 +209,23 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     return box;
   }
 
-  // Whether the line of the ray passes the box of the outline, which may lie in the world as it likes.
-  bool line_meets_box(const Ray& ray) const {
-    const Aabb box = local_box();
-    const dvec3 slack = 1e-9 * (box.hi - box.lo);
+  // Whether a stretch of the ray meets the box of the outline, which may lie in the world as it likes.
+  bool meets_box(const Ray& ray, Interval depths) const {
     double near = -std::numeric_limits<double>::infinity(), far = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
-      const double low = box.lo[axis] - slack[axis] - ray.origin[axis], high = box.hi[axis] + slack[axis] - ray.origin[axis];
+      const double low = box_.lo[axis] - ray.origin[axis], high = box_.hi[axis] - ray.origin[axis];
       const double d = ray.direction[axis];
       if (d == 0) {
         if (low > 0 || high < 0) return false;
         continue;
       }
-      near = std::max(near, std::min(low / d, high / d));
-      far = std::min(far, std::max(low / d, high / d));
+      const double a = low / d, b = high / d;
+      near = std::max(near, std::min(a, b));
+      far = std::min(far, std::max(a, b));
     }
-    return near <= far;
+    // Rounding of the depths, which far from the box is more than its slack.
+    const double slack = 1e-9 * std::max(std::abs(near), std::abs(far));
+    return near <= far + slack && near <= depths.hi + slack && far >= depths.lo - slack;
   }
 
   // Where the ray is between two heights, a little widened; of a cone or a level ray everywhere.
@@ -334,6 +343,7 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
   bool conic_, open_;
   double low_, high_;
   Interval x_, z_;
+  Aabb box_;  // in local units, a little widened
   SharedTransform to_world_;
 };
 

@@ -7,9 +7,35 @@
 // away than this one: a shape that finds its hits in ascending order may stop then. Nothing is allocated or virtual inside.
 #pragma once
 
+#include <type_traits>
+
 #include "engine/shape/shape.hpp"
 
 namespace lute {
+
+// The sink of `any`: one hit in range is enough, wherever it is.
+struct AnyHit {
+  static constexpr bool kDepthMatters = false;
+
+  Interval range;
+  bool found = false;
+
+  bool operator()(double t, std::uint32_t, const std::array<double, 3>& = {}) {
+    found |= range.contains(t);
+    return found;
+  }
+};
+
+// Whether a sink looks at the depth of a hit. Where it does not, a scan that knows of a hit within the range need not say where it is, and ends
+// when the sink has returned true.
+template <class Sink>
+constexpr bool depth_matters() {
+  if constexpr (requires { std::remove_cvref_t<Sink>::kDepthMatters; }) {
+    return std::remove_cvref_t<Sink>::kDepthMatters;
+  } else {
+    return true;
+  }
+}
 
 template <class Self>
 class ScannedShape : public Shape {
@@ -34,12 +60,9 @@ class ScannedShape : public Shape {
   }
 
   bool any(const Ray& ray, Interval range) const final {
-    bool found = false;
-    self().scan(ray, range, [&](double t, std::uint32_t, const std::array<double, 3>& = {}) {
-      found |= range.contains(t);
-      return found;
-    });
-    return found;
+    AnyHit sink{range};
+    self().scan(ray, range, sink);
+    return sink.found;
   }
 
  private:

@@ -110,7 +110,7 @@ class Ring final : public ScannedShape<Ring> {
         4 * k2,
         1,
     };
-    return walk_roots(c, {0, stretch.hi - stretch.lo}, [&](double root) { return sink((stretch.lo + root) * scale, 0); });
+    return walk_roots<depth_matters<Sink>()>(c, {0, stretch.hi - stretch.lo}, [&](double root) { return sink((stretch.lo + root) * scale, 0); });
   }
 
   double major_, minor_;

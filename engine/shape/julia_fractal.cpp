@@ -1,6 +1,7 @@
 #include "engine/shape/julia_fractal.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -47,7 +48,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   }
 
   template <class Sink>
-  void scan(const Ray& ray, Interval, Sink&& sink) const {
+  void scan(const Ray& ray, Interval range, Sink&& sink) const {
     Ray local = to_world_->inverse_ray(ray);
     const double length = glm::length(local.direction);
     local.direction /= length;
@@ -58,9 +59,12 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     const double end = b + std::sqrt(h);
     if (end < kFinest) return;
     double t = std::max(b - std::sqrt(h), kFinest);
+    // In local units; hits behind the range are not looked for.
+    const Interval wanted{range.lo * length, range.hi * length * (1 + 1e-9)};
+    if (t > wanted.hi) return;
 
     thread_local Orbit orbit;
-    orbit.assign(steps_ + 1, dvec4(0));
+    if (orbit.size() != steps_ + 1 || by_function_) orbit.assign(steps_ + 1, dvec4(0));
     double step = 0;
     bool inside = evaluate(local.at(t), local.direction, orbit, step);
     if (inside) {
@@ -70,12 +74,17 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     }
     for (;;) {
       step = std::max(step, least_step_);
+      if (t > wanted.hi) return;
       t += step;
       if (t > end) return;
       double next = 0;
       if (evaluate(local.at(t), local.direction, orbit, next) == inside) {
         step = next;
         continue;
+      }
+      if (!depth_matters<Sink>() && t - step > wanted.lo && t < range.hi * length) {
+        sink((t - 0.5 * step) / length, 0);
+        return;
       }
       t = bracket(local, t - step, step, inside, orbit);
       const double far = t + step;
@@ -149,17 +158,27 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   }
 
   // The same for quaternions, without a record of the orbit: the step, and the product of the squared lengths of what came before it.
-  std::size_t quaternion_escape(dvec4 z, double& norm, double& product) const {
+  std::size_t quaternion_escape(const dvec4& z, double& norm, double& product) const {
+    return f_.function == Function::kCube ? quaternion_escape_of<true>(z, norm, product) : quaternion_escape_of<false>(z, norm, product);
+  }
+  template <bool kCube>
+  std::size_t quaternion_escape_of(const dvec4& start, double& norm, double& product) const {
     const dvec4 c = f_.constant;
-    const bool cube = f_.function == Function::kCube;
-    product = 1;
+    const double escape = escape_;
+    double x = start.x, y = start.y, z = start.z, w = start.w, lengths = 1;
     for (std::size_t i = 1; i <= steps_; ++i) {
-      const double d = z.y * z.y + z.z * z.z + z.w * z.w, x2 = z.x * z.x;
-      norm = x2 + d;
-      if (norm > escape_) return i;
-      product *= norm;
-      const double k = cube ? 3 * x2 - d : 2 * z.x;
-      z = dvec4(cube ? z.x * (x2 - 3 * d) : x2 - d, k * z.y, k * z.z, k * z.w) + c;
+      const double d = y * y + z * z + w * w, x2 = x * x, size = x2 + d;
+      if (size > escape) {
+        norm = size;
+        product = lengths;
+        return i;
+      }
+      lengths *= size;
+      const double k = kCube ? 3 * x2 - d : 2 * x;
+      x = (kCube ? x * (x2 - 3 * d) : x2 - d) + c.x;
+      y = k * y + c.y;
+      z = k * z + c.z;
+      w = k * w + c.w;
     }
     return 0;
   }

@@ -24,6 +24,7 @@ class ByteReader {
 
   void seek(std::size_t offset) { at_ = offset; }
   std::size_t position() const { return at_; }
+  bool at_end() const { return at_ >= bytes_.size(); }
 
   // Each throws std::runtime_error at the end of the file.
   std::uint8_t byte() {

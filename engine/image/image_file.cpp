@@ -11,6 +11,7 @@
 #include "engine/image/color_mapped.hpp"
 #include "engine/image/jpeg_reader.hpp"
 #include "engine/image/png_reader.hpp"
+#include "engine/image/pnm_reader.hpp"
 
 namespace lute {
 namespace {
@@ -84,6 +85,14 @@ std::shared_ptr<Image> make_jpeg(const std::string& path, const ImageFileOptions
   return std::make_shared<Image>(jpeg.width, jpeg.height, jpeg.channels, std::move(jpeg.bytes), table(256, convert));
 }
 
+std::shared_ptr<Image> make_pnm(const std::string& path, const std::string& type, const ImageFileOptions& options, std::string& error) {
+  PnmContent pnm;
+  if (!read_pnm(path, type, pnm, error)) return nullptr;
+  const Convert convert = conversion(options, curve_of_format("pnm", options));
+  if (pnm.deep) return std::make_shared<Image>(pnm.width, pnm.height, pnm.channels, std::move(pnm.words), table(65536, convert));
+  return std::make_shared<Image>(pnm.width, pnm.height, pnm.channels, std::move(pnm.bytes), table(256, convert));
+}
+
 std::shared_ptr<Image> make_color_mapped(ColorMapped file, const Convert& convert, bool keeps_alpha) {
   for (Image::Pixel& p : file.palette) p.rgb = {convert(p.rgb.r), convert(p.rgb.g), convert(p.rgb.b)};
   auto image = std::make_shared<Image>(file.width, file.height, std::move(file.indices), std::move(file.palette));
@@ -152,8 +161,8 @@ std::shared_ptr<Image> make_tiff(const ImagePixels& pixels, const ImageFileInfo&
 
 // OpenImageIO finds out the format by the file's content; the word in the scene must be right, too.
 bool is_of_type(const std::string& type, const std::string& format) {
-  static const std::map<std::string, std::string> formats = {{"tga", "targa"}, {"tiff", "tiff"}, {"bmp", "bmp"},    {"ppm", "pnm"},
-                                                             {"pgm", "pnm"},   {"hdr", "hdr"},   {"exr", "openexr"}};
+  static const std::map<std::string, std::string> formats = {
+      {"tga", "targa"}, {"tiff", "tiff"}, {"bmp", "bmp"}, {"hdr", "hdr"}, {"exr", "openexr"}};
   const auto found = formats.find(type);
   return found == formats.end() || found->second == format;
 }
@@ -198,6 +207,7 @@ std::shared_ptr<Image> make_image(const std::string& path, const std::string& ty
                                   std::string& error) {
   if (type == "png") return make_png(path, options, error);
   if (type == "jpeg") return make_jpeg(path, options, error);
+  if (type == "ppm" || type == "pgm") return make_pnm(path, type, options, error);
   if (type == "pot") return make_pot(path, options, error);
   std::optional<ColorMapped> file;
   if (type == "gif") file = read_gif(path, error);

@@ -104,6 +104,44 @@ TEST_F(ImageFile, PortableMapsAreTakenAsTheyAre) {
   EXPECT_FLOAT_EQ(image->pixel(1, 0).rgb.g, 128 / 255.0f);
 }
 
+// Values of portable maps, measured with POV-Ray 3.7 through a 16-bit picture: with another maximum than 255 the nearest of 65536 codes.
+TEST_F(ImageFile, PortableMapsKeepTheirCodes) {
+  struct Case {
+    const char* name;
+    std::string content;
+    std::vector<int> codes;  // of the red channel, of 65535
+  };
+  using namespace std::string_literals;
+  const Case cases[] = {
+      {"16bit.ppm", "P6\n3 1\n65535\n"s + "\x80\x01\x80\x01\x80\x01"s + "\xff\xff\xff\xff\xff\xff"s + "\0\3\0\3\0\3"s, {32769, 65535, 3}},
+      {"16bit.pgm", "P5 3 1 65535\n"s + "\x80\x01\xff\xff\0\3"s, {32769, 65535, 3}},
+      {"to1000.ppm", "P6\n2 1\n1000\n"s + "\0\1\0\1\0\1"s + "\3\xe2\3\xe2\3\xe2"s, {66, 65142}},
+      {"to100.pgm", "P5\n5 1\n100\n"s + "\1\2\x63\x64\xc8"s, {655, 1311, 64880, 65535, 65535}},
+      {"numbers.ppm", "P3\n# a comment\n2 1\n1000\n3 0 0\n9 0 0\n", {197, 590}},
+      {"numbers.pgm", "P2 3 1 255 0 1 # the last\n254", {0, 257, 65278}}};
+  for (const Case& c : cases) {
+    const std::string file = path(c.name);
+    std::ofstream(file, std::ios::binary) << c.content;
+    const ImagePtr image = load(file, colors_in_linear_space());
+    ASSERT_EQ(image->width(), static_cast<int>(c.codes.size())) << c.name;
+    for (int i = 0; i < image->width(); ++i)
+      EXPECT_EQ(std::lround(65535 * image->pixel(i, 0).rgb.r), c.codes[static_cast<std::size_t>(i)]) << c.name << " " << i;
+  }
+}
+
+TEST_F(ImageFile, BrokenPortableMapsAreErrors) {
+  const char* const contents[] = {"", "P6", "P6\n2 1\n255\nabc", "P6\n0 1\n255\n", "P6\n1 1\n70000\nabc", "P6\n1 1\n0\nabc", "P6\nx 1\n255\nabc",
+                                  "P6\n99999999999 1\n255\n", "P3\n1 1\n255\n1 2", "P5\n1 1\n255\na", "P4\n8 1\na"};
+  int number = 0;
+  for (const char* content : contents) {
+    const std::string file = path("broken_" + std::to_string(number++) + ".ppm");
+    std::ofstream(file, std::ios::binary) << content;
+    std::string error;
+    EXPECT_EQ(files_.load(file, {}, error), nullptr) << content;
+    EXPECT_FALSE(error.empty()) << content;
+  }
+}
+
 // The bytes of a little-endian TIFF file of one pixel, RGBA with alpha beside the colours (ExtraSamples 2), not compressed.
 std::string tiff_of_one_pixel(const std::string& rgba) {
   std::string bytes("II*\0\x10\0\0\0", 8);
@@ -179,6 +217,10 @@ TEST_F(ImageFile, WordAndContentMustAgree) {
   ImageFileOptions options;
   options.type = "ppm";
   EXPECT_NE(load(file, options), nullptr);
+  options.type = "pgm";
+  std::string error;
+  EXPECT_EQ(files_.load(file, options, error), nullptr);
+  EXPECT_EQ(error, "it is not in PGM format");
 }
 
 TEST_F(ImageFile, BrokenFilesAreErrors) {

@@ -11,7 +11,10 @@ int SceneBuilder::open_light_group(int outer) {
 }
 
 void SceneBuilder::add_light(const LightSource& light, const Object&, const Context& own) {
-  if (geometry_only_) return;
+  if (geometry_only_) {
+    if (light.looks_like != nullptr) add_top_level(*light.looks_like, own);
+    return;
+  }
   auto built = std::make_unique<BuiltLight>(build_light(light, own.to_world, options_.quality >= kQualityAreaLights));
   built->fade_distance *= built_.scale;
   if (built->kind == LightKind::kCylinder) {

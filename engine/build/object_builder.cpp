@@ -119,10 +119,12 @@ SceneBuilder::SolidList SceneBuilder::children(const Object& object, const Csg& 
     Context parent = down;
     if (csg.operation == CsgOperation::kDifference && i > 0) parent.inverted = !parent.inverted;
     const Context resolved = resolve(child, parent);
-    if (is_light(child))
-      add_light(*child.light(), child, resolved);
-    else
+    if (!is_light(child))
       parts.push_back(solid(child, resolved, false));
+    else if (!geometry_only_)
+      add_light(*child.light(), child, resolved);
+    else if (const auto& form = child.light()->looks_like; form != nullptr)  // a light counts as what it looks like
+      parts.push_back(solid(*form, resolve(*form, resolved), false));
   }
   return parts;
 }

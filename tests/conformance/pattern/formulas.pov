@@ -502,3 +502,11 @@ global_settings { assumed_gamma 1 }
 #declare F = function { pattern { brick mortar 20 } } Values("brick mortar 20") #undef F
 #declare F = function { pattern { brick brick_size 0 } } Values("brick brick_size 0") #undef F
 #declare F = function { pattern { brick brick_size <1,0,1> } } Values("brick brick_size <1,0,1>") #undef F
+#declare F = function { pattern { mandel 20 exterior 2,0.7 interior 2,0.6 scale 0.3 } } Values("mandel 20 exterior 2,0.7 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pattern { mandel 20 exterior 5,0.7 interior 5,0.6 scale 0.3 } } Values("mandel 20 exterior 5,0.7 interior 5,0.6 scale 0.3") #undef F
+#declare F = function { pattern { julia <-0.4,0.6>,20 exterior 2,0.7 interior 2,0.6 scale 0.3 } } Values("julia <-0.4,0.6>,20 exterior 2,0.7 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pattern { julia <-0.4,0.6>,20 exterior 5,0.7 interior 5,0.6 scale 0.3 } } Values("julia <-0.4,0.6>,20 exterior 5,0.7 interior 5,0.6 scale 0.3") #undef F
+#declare F = function { pattern { magnet 1 mandel 20 exterior 2,0.7 interior 2,0.6 scale 0.3 } } Values("magnet 1 mandel 20 exterior 2,0.7 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pattern { magnet 1 mandel 20 exterior 5,0.7 interior 5,0.6 scale 0.3 } } Values("magnet 1 mandel 20 exterior 5,0.7 interior 5,0.6 scale 0.3") #undef F
+#declare F = function { pattern { magnet 2 julia <0.3,0.5>,20 exterior 2,0.7 interior 2,0.6 scale 0.3 } } Values("magnet 2 julia <0.3,0.5>,20 exterior 2,0.7 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pattern { mandel 20 exponent 3 exterior 2,0.7 interior 2,0.6 scale 0.3 } } Values("mandel 20 exponent 3 exterior 2,0.7 interior 2,0.6 scale 0.3") #undef F

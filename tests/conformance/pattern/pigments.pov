@@ -3,6 +3,8 @@
 global_settings { assumed_gamma 1 }
 #fopen W "out.txt" write
 #declare Ball = sphere { 0, 1.5 }
+// A light counts as what it looks like, as a part of CSG too.
+#declare Lamp = light_source { <0.2,0,0> 1 looks_like { Ball } translate 0.1*y }
 #declare Ramp = pigment { gradient x }
 #declare Place = array[10] { <0.25,0.5,0.75>, <-1.3,2.7,0.4>, <17.1,-5.6,33.3>, <0.5,0.2,-0.7>, <0.1,0.12,0>, <-1,-1,-1>, <0.9,0.95,0.85>, <-2.31,0.77,1.93>, <2.6,-1.9,-0.3>, <0.31,-0.62,2.2> }
 #macro Values(Name)
@@ -106,3 +108,34 @@ global_settings { assumed_gamma 1 }
 #declare F = function { pigment { average pigment_map{[1 image_map{function 3,3{x} once}][1 rgb x]} } } Values("average pigment_map{[1 image_map{function 3,3{x} once}][1 rgb x]}") #undef F
 #declare F = function { pigment { brick brick_size 0 } } Values("brick brick_size 0") #undef F
 #declare F = function { pigment { brick brick_size <1,0,1> } } Values("brick brick_size <1,0,1>") #undef F
+#declare F = function { pigment { object { Lamp rgb x rgb y } } } Values("object { Lamp rgb x rgb y }") #undef F
+#declare F = function { pigment { object { light_source { 0, 1 } rgb x rgb y } } } Values("object { light_source { 0, 1 } rgb x rgb y }") #undef F
+#declare F = function { pigment { object { union { sphere { <17,-6,33>, 1 } object { Lamp } } rgb x rgb y } } } Values("object { union { sphere { <17,-6,33>, 1 } object { Lamp } } rgb x rgb y }") #undef F
+#declare F = function { pigment { object { intersection { plane { y, 0.2 } object { Lamp } } rgb x rgb y } } } Values("object { intersection { plane { y, 0.2 } object { Lamp } } rgb x rgb y }") #undef F
+#declare F = function { pigment { object { difference { plane { y, 0.2 } object { Lamp } } rgb x rgb y } } } Values("object { difference { plane { y, 0.2 } object { Lamp } } rgb x rgb y }") #undef F
+#declare F = function { pigment { object { difference { object { Lamp } plane { y, 0.2 } } rgb x rgb y } } } Values("object { difference { object { Lamp } plane { y, 0.2 } } rgb x rgb y }") #undef F
+#declare F = function { pigment { object { object { Lamp inverse } rgb x rgb y } } } Values("object { object { Lamp inverse } rgb x rgb y }") #undef F
+#declare F = function { pigment { object { merge { sphere { <17,-6,33>, 1 } object { Lamp scale 0.5 } } rgb x rgb y } } } Values("object { merge { sphere { <17,-6,33>, 1 } object { Lamp scale 0.5 } } rgb x rgb y }") #undef F
+#declare F = function { pigment { object { union { object { Lamp } sphere { <17,-6,33>, 1 } inverse } rgb x rgb y } } } Values("object { union { object { Lamp } sphere { <17,-6,33>, 1 } inverse } rgb x rgb y }") #undef F
+#declare F = function { pigment { object { light_group { object { Lamp } } rgb x rgb y } } } Values("object { light_group { object { Lamp } } rgb x rgb y }") #undef F
+#declare F = function { pigment { object { sphere { 0, 9 clipped_by { union { object { Lamp } sphere { <-1,3,0>, 1 } } } } rgb x rgb y } } } Values("object { sphere { 0, 9 clipped_by { union { object { Lamp } sphere { <-1,3,0>, 1 } } } } rgb x rgb y }") #undef F
+#declare F = function { pigment { mandel 20 exterior 7,5 interior 2,0.6 scale 0.3 } } Values("mandel 20 exterior 7,5 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pigment { mandel 20 exterior 7,2.5 interior 2,0.6 scale 0.3 } } Values("mandel 20 exterior 7,2.5 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pigment { mandel 20 exterior 8,5 interior 3,0.6 scale 0.3 } } Values("mandel 20 exterior 8,5 interior 3,0.6 scale 0.3") #undef F
+#declare F = function { pigment { mandel 20 exterior 8,2.5 interior 3,0.6 scale 0.3 } } Values("mandel 20 exterior 8,2.5 interior 3,0.6 scale 0.3") #undef F
+#declare F = function { pigment { julia <-0.4,0.6>,20 exterior 7,5 interior 2,0.6 scale 0.3 } } Values("julia <-0.4,0.6>,20 exterior 7,5 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pigment { julia <-0.4,0.6>,20 exterior 7,2.5 interior 2,0.6 scale 0.3 } } Values("julia <-0.4,0.6>,20 exterior 7,2.5 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pigment { julia <-0.4,0.6>,20 exterior 8,5 interior 3,0.6 scale 0.3 } } Values("julia <-0.4,0.6>,20 exterior 8,5 interior 3,0.6 scale 0.3") #undef F
+#declare F = function { pigment { julia <-0.4,0.6>,20 exterior 8,2.5 interior 3,0.6 scale 0.3 } } Values("julia <-0.4,0.6>,20 exterior 8,2.5 interior 3,0.6 scale 0.3") #undef F
+#declare F = function { pigment { magnet 1 mandel 20 exterior 7,5 interior 2,0.6 scale 0.3 } } Values("magnet 1 mandel 20 exterior 7,5 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pigment { magnet 1 mandel 20 exterior 7,2.5 interior 2,0.6 scale 0.3 } } Values("magnet 1 mandel 20 exterior 7,2.5 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pigment { magnet 1 mandel 20 exterior 8,5 interior 3,0.6 scale 0.3 } } Values("magnet 1 mandel 20 exterior 8,5 interior 3,0.6 scale 0.3") #undef F
+#declare F = function { pigment { magnet 1 mandel 20 exterior 8,2.5 interior 3,0.6 scale 0.3 } } Values("magnet 1 mandel 20 exterior 8,2.5 interior 3,0.6 scale 0.3") #undef F
+#declare F = function { pigment { magnet 2 julia <0.3,0.5>,20 exterior 7,5 interior 2,0.6 scale 0.3 } } Values("magnet 2 julia <0.3,0.5>,20 exterior 7,5 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pigment { magnet 2 julia <0.3,0.5>,20 exterior 7,2.5 interior 2,0.6 scale 0.3 } } Values("magnet 2 julia <0.3,0.5>,20 exterior 7,2.5 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pigment { magnet 2 julia <0.3,0.5>,20 exterior 8,5 interior 3,0.6 scale 0.3 } } Values("magnet 2 julia <0.3,0.5>,20 exterior 8,5 interior 3,0.6 scale 0.3") #undef F
+#declare F = function { pigment { magnet 2 julia <0.3,0.5>,20 exterior 8,2.5 interior 3,0.6 scale 0.3 } } Values("magnet 2 julia <0.3,0.5>,20 exterior 8,2.5 interior 3,0.6 scale 0.3") #undef F
+#declare F = function { pigment { mandel 20 exponent 3 exterior 7,5 interior 2,0.6 scale 0.3 } } Values("mandel 20 exponent 3 exterior 7,5 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pigment { mandel 20 exponent 3 exterior 7,2.5 interior 2,0.6 scale 0.3 } } Values("mandel 20 exponent 3 exterior 7,2.5 interior 2,0.6 scale 0.3") #undef F
+#declare F = function { pigment { mandel 20 exponent 3 exterior 8,5 interior 3,0.6 scale 0.3 } } Values("mandel 20 exponent 3 exterior 8,5 interior 3,0.6 scale 0.3") #undef F
+#declare F = function { pigment { mandel 20 exponent 3 exterior 8,2.5 interior 3,0.6 scale 0.3 } } Values("mandel 20 exponent 3 exterior 8,2.5 interior 3,0.6 scale 0.3") #undef F

@@ -22,4 +22,20 @@ inline double fraction(double v) {
   return v - static_cast<double>(static_cast<std::int64_t>(v));
 }
 
+// The period of every pattern's value: a little above 1, so that a raw value of exactly 1 survives (chapter 50 §4).
+inline constexpr double kPatternPeriod = 1.00001;
+
+// Equal to std::fmod(v, kPatternPeriod) for every number. The period is taken in two parts: whole multiples of either are exact as long as
+// there are fewer than 2^20, and so are both differences, which have no bits below those of v or of the period.
+inline double within_pattern_period(double v) {
+  constexpr double kHigh = static_cast<double>(static_cast<float>(kPatternPeriod)), kLow = kPatternPeriod - kHigh;
+  const double size = std::fabs(v);
+  if (size < kPatternPeriod) return v;
+  if (!(size < 1048576)) return std::fmod(v, kPatternPeriod);
+  const double turns = static_cast<double>(static_cast<std::int64_t>(size / kPatternPeriod));
+  double rest = (size - turns * kHigh) - turns * kLow;
+  if (rest < 0) rest += kPatternPeriod;  // the quotient was rounded up to a whole number
+  return std::copysign(rest, v);
+}
+
 }  // namespace lute

@@ -69,13 +69,7 @@ double CompiledPattern::value(const dvec3& warped, const SurfaceContext& surface
   PatternContext context = context_;
   context.surface = &surface;
   double v = std::visit([&](const auto& p) -> double { return evaluate(p, warped, context); }, *any);
-  // The modulus is a little above 1 so that a raw value of exactly 1 survives.
-  constexpr double kModulus = 1.00001;
-  if (frequency_ != 0) {
-    v = v * frequency_ + phase_;
-    // Once beyond the modulus the difference is exact, and what fmod gives.
-    if (!(std::fabs(v) < kModulus)) v = std::fabs(v) < 2 * kModulus ? v - std::copysign(kModulus, v) : std::fmod(v, kModulus);
-  }
+  if (frequency_ != 0) v = within_pattern_period(v * frequency_ + phase_);
   if (v < 0) v -= fast_floor(v);
   return shape_wave(wave_, v, wave_exponent_);
 }

@@ -12,26 +12,25 @@ bool takes_light(const Finish& f) { return f.diffuse != 0 || f.diffuse_back != 0
 }  // namespace
 
 // First the lights of the whole scene, then those of the object's group.
+std::array<Shader::Lights, 2> Shader::lights_of(const Leaf& leaf) const {
+  return {leaf.global_lights ? Lights(scene_.global_lights) : Lights(),
+          leaf.light_group >= 0 ? Lights(scene_.light_groups[static_cast<std::size_t>(leaf.light_group)].lights) : Lights()};
+}
+
 std::size_t Shader::light_count(const Leaf& leaf) const {
-  std::size_t count = leaf.global_lights ? scene_.global_lights.size() : 0;
-  if (leaf.light_group >= 0) count += scene_.light_groups[static_cast<std::size_t>(leaf.light_group)].lights.size();
+  std::size_t count = 0;
+  for (const Lights lights : lights_of(leaf)) count += lights.size();
   return count;
 }
 
-const BuiltLight& Shader::light(const Leaf& leaf, std::size_t index) const {
-  if (leaf.global_lights) {
-    if (index < scene_.global_lights.size()) return *scene_.global_lights[index];
-    index -= scene_.global_lights.size();
-  }
-  return *scene_.light_groups[static_cast<std::size_t>(leaf.light_group)].lights[index];
-}
-
-Rgb Shader::direct_light(Surface& surface, const LitLayer& layer) {
+// All of what one light takes is one function to the compiler: calls would cost more than what most of them do.
+[[gnu::flatten]] Rgb Shader::direct_light(Surface& surface, const LitLayer& layer) {
   Rgb sum{0.0f};
-  if (!takes_light(layer.finish)) return sum;
-  const std::size_t count = surface.lights->size();
+  if (!takes_light(layer.finish) || surface.lights->size() == 0) return sum;
   // No further ray is shaded from here on: the entries of the stack stay where they are.
-  for (std::size_t i = 0; i < count; ++i) sum += light_from(surface, layer, light(surface.leaf, i), (*surface.lights)[i]);
+  LightAtPoint* known = &(*surface.lights)[0];
+  for (const Lights lights : lights_of(surface.leaf))
+    for (const BuiltLight* light : lights) sum += light_from(surface, layer, *light, *known++);
   return sum;
 }
 

@@ -52,7 +52,7 @@ Color Shader::layers_color(Surface& surface, const CompiledTexture& texture, con
       color = {pigment.rgb, 0, 0};
     } else {
       const LitLayer lit{finish, pigment, layer_opacity(pigment, settings_.legacy), normal};
-      if (plan_.reflection && finish.reflects()) {
+      if (plan_.reflection && layer->reflects) {
         reflectivity_here = reflectivity(surface, lit, surface.weight * translucency, reflected_weight);
         if (!(reflectivity_here == Rgb(0.0f)))
           scratch_.reflections.push({reflectivity_here, reflected_weight, normal, &finish});

@@ -36,7 +36,7 @@ class ScratchStack {
   std::size_t size() const { return size_; }
   T& operator[](std::size_t i) { return items_[i]; }
   void resize(std::size_t size) {
-    if (size > items_.size()) items_.resize(size);
+    if (size > room_) grow(size);
     size_ = size;
   }
   void push(const T& item) {
@@ -45,8 +45,13 @@ class ScratchStack {
   }
 
  private:
+  void grow(std::size_t size) {
+    items_.resize(size);
+    room_ = size;
+  }
+
   std::vector<T> items_;
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, room_ = 0;
 };
 
 // A piece of a stack, given back when the scope ends; its items begin with anything. Address them by index only: the stack may move.

@@ -5,6 +5,9 @@
 // highlight.cpp (§7), reflection.cpp (§8), refraction.cpp (§9), shadow.cpp and area_shadow.cpp (§10.4, §11), sky.cpp (§12).
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "engine/build/built_scene.hpp"
 #include "engine/plan/render_plan.hpp"
 #include "engine/shade/interior_list.hpp"
@@ -60,7 +63,6 @@ class Shader {
     const Hit& hit;
     const Leaf& leaf;
     float weight;
-    bool from_inside = false;
     SurfaceContext context;             // raw normal, facing the ray; uv; the normal that patterns see
     ScratchBlock<LightAtPoint>* lights = nullptr;
   };
@@ -86,7 +88,7 @@ class Shader {
   Color shade(const TracedRay& ray, const Hit& hit, float weight);
   template <class Evaluate>
   void for_each_texture(const Hit& hit, const Leaf& leaf, bool from_inside, Evaluate&& evaluate);
-  static void face_ray(const Hit& hit, const Ray& ray, bool wants_uv, SurfaceContext& context, bool& from_inside);
+  static SurfaceContext face_ray(const Hit& hit, const Ray& ray, bool wants_uv, bool& from_inside);
   static dvec3 texture_point(const PlacedTexture& texture, const Leaf& leaf, const Hit& hit, const SurfaceContext& context);
   Color texture_color(Surface& surface, const CompiledTexture& texture, const dvec3& point, const TextureSpace* space);
   static dvec3 perturbed(const CompiledNormal& normal, const dvec3& point, const TextureSpace* space, SurfaceContext& context);
@@ -101,8 +103,9 @@ class Shader {
                        Color& color);
 
   // direct_light.cpp
+  using Lights = std::span<const BuiltLight* const>;
+  std::array<Lights, 2> lights_of(const Leaf& leaf) const;
   std::size_t light_count(const Leaf& leaf) const;
-  const BuiltLight& light(const Leaf& leaf, std::size_t index) const;
   Rgb direct_light(Surface& surface, const LitLayer& layer);
   Rgb light_from(const Surface& surface, const LitLayer& layer, const BuiltLight& source, LightAtPoint& known);
   Rgb after_shadows(const Surface& surface, const BuiltLight& light, LightAtPoint& known);

@@ -80,9 +80,8 @@ Rgb Shader::filtered(const Surface& surface, const BuiltLight& light, const Ligh
 
 Rgb Shader::shadow_filter(const Hit& hit, const Ray& ray, const InteriorList& interiors) {
   const Leaf& leaf = *hit.leaf;
-  SurfaceContext context;
   bool from_inside = false;
-  face_ray(hit, ray, leaf.uv_mapping || plan_.uv_patterns, context, from_inside);
+  SurfaceContext context = face_ray(hit, ray, leaf.uv_mapping || plan_.uv_patterns, from_inside);
   Rgb sum{0.0f};
   for_each_texture(hit, leaf, from_inside, [&](const PlacedTexture& texture, float share) {
     const TextureSpace space{.to_world = &*texture.to_world};

@@ -26,18 +26,18 @@ dvec3 carry_out(const TextureSpace* space, dvec3 normal, bool normalise) {
 
 }  // namespace
 
-void Shader::face_ray(const Hit& hit, const Ray& ray, bool wants_uv, SurfaceContext& context, bool& from_inside) {
+SurfaceContext Shader::face_ray(const Hit& hit, const Ray& ray, bool wants_uv, bool& from_inside) {
   const Leaf& leaf = *hit.leaf;
   dvec3 normal = leaf.shape->normal(hit.shape_hit, hit.point);
   if (leaf.inverted) normal = -normal;
   from_inside = glm::dot(normal, ray.direction) > 0;
   if (from_inside) normal = -normal;
-  context.point = hit.point;
-  context.raw_normal = normal;
-  context.normal = normal;
-  context.ray_direction = ray.direction;
-  context.has_surface = true;
-  if (wants_uv) context.uv = leaf.shape->uv(hit.shape_hit, hit.point);
+  return {.point = hit.point,
+          .raw_normal = normal,
+          .normal = normal,
+          .ray_direction = ray.direction,
+          .uv = wants_uv ? leaf.shape->uv(hit.shape_hit, hit.point) : dvec2(0),
+          .has_surface = true};
 }
 
 dvec3 Shader::texture_point(const PlacedTexture& texture, const Leaf& leaf, const Hit& hit, const SurfaceContext& context) {
@@ -49,12 +49,13 @@ Color Shader::shade(const TracedRay& ray, const Hit& hit, float weight) {
   const Leaf& leaf = *hit.leaf;
   ScratchBlock<LightAtPoint> lights(scratch_.lights, light_count(leaf));
   for (std::size_t i = 0; i < lights.size(); ++i) lights[i].reached = lights[i].shadowed = false;
-  Surface surface{.in = ray, .hit = hit, .leaf = leaf, .weight = weight, .context = {}, .lights = &lights};
-  face_ray(hit, ray.ray, leaf.uv_mapping || plan_.uv_patterns, surface.context, surface.from_inside);
+  bool from_inside = false;
+  Surface surface{.in = ray, .hit = hit, .leaf = leaf, .weight = weight,
+                  .context = face_ray(hit, ray.ray, leaf.uv_mapping || plan_.uv_patterns, from_inside), .lights = &lights};
 
   Color sum;
   const bool weighted = leaf.has_part_textures() || leaf.texture.texture == nullptr;
-  for_each_texture(hit, leaf, surface.from_inside, [&](const PlacedTexture& texture, float share) {
+  for_each_texture(hit, leaf, from_inside, [&](const PlacedTexture& texture, float share) {
     if (weighted && share < settings_.adc_bailout) return;
     const TextureSpace space{.to_world = &*texture.to_world};
     const dvec3 point = texture_point(texture, leaf, hit, surface.context);

@@ -14,6 +14,7 @@ struct CompiledLayer {
   const CompiledPigment* pigment = nullptr;
   const CompiledNormal* normal = nullptr;  // null: none
   const Finish* finish = nullptr;
+  bool reflects = false;  // what finish->reflects() says
 };
 
 struct CompiledTexture {

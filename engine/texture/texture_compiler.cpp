@@ -54,7 +54,7 @@ const CompiledTexture* TextureCompiler::texture(const TexturePtr& description) {
     compiled->layers.reserve(layers->size());
     for (const TextureLayer& layer : *layers) {
       if (kept_.empty() || kept_.back() != layer.finish) kept_.push_back(layer.finish);
-      compiled->layers.push_back({pigment(layer.pigment), normal(layer.normal, description->no_bump_scale), layer.finish.get()});
+      compiled->layers.push_back({pigment(layer.pigment), normal(layer.normal, description->no_bump_scale), layer.finish.get(), layer.finish->reflects()});
       compiled->opaque = compiled->opaque || compiled->layers.back().pigment->is_opaque();
     }
   } else {

@@ -1,5 +1,5 @@
 # Thin: each target installs what is missing, builds, runs. A second run does nothing twice.
-.PHONY: build render test conformance coverage accuracy cost report compare bench asan setup setup-test setup-bench
+.PHONY: build render test conformance coverage accuracy cost report estimate compare bench asan setup setup-test setup-bench
 
 build: build/build.ninja
 	@cmake --build build
@@ -52,6 +52,12 @@ report: setup-test build
 	  --vary $(foreach v,0 1,'$(EXACTLY) Declare=Sturm=$(v)')
 	@chromium-headless-shell --no-sandbox --disable-gpu --hide-scrollbars --window-size=900,420 \
 	  --screenshot=docs/images/error-over-time.png "file://$(CURDIR)/report/lute.pov.svg"
+
+# How good the error is that +AM3 estimates, on the same ten scenes: a table of docs/antialiasing.md (two minutes).
+estimate: build/build.ninja
+	@cmake --build build --target lute-estimate lute-compare
+	@build/bin/lute-estimate $(REPORT_SCENES) > build/estimate.md
+	@build/bin/lute-compare section docs/antialiasing.md estimate < build/estimate.md
 
 # Both programs on our scenes, side by side: report/report.html.
 compare: setup-test build

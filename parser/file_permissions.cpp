@@ -1,6 +1,7 @@
 #include "parser/file_permissions.hpp"
 
 #include <algorithm>
+#include <deque>
 
 namespace lute {
 
@@ -14,11 +15,32 @@ fs::path absolute(const std::string& path) {
   return error ? fs::path(path) : result;
 }
 
-// Where the name leads, links followed as far as the path exists.
+// Where the name leads, links followed to the end, also to what does not exist yet: that is where a file would be made. Empty if
+// the links go round in a circle.
 fs::path resolved(const std::string& path) {
-  std::error_code error;
-  const fs::path result = fs::weakly_canonical(absolute(path), error);
-  return error ? absolute(path).lexically_normal() : result;
+  constexpr int kMostLinks = 40;  // the system follows no more
+  const fs::path name = absolute(path);
+  std::deque<fs::path> left(name.begin(), name.end());
+  fs::path at;
+  for (int links = 0; !left.empty();) {
+    const fs::path part = left.front();
+    left.pop_front();
+    if (part.empty() || part == ".") continue;
+    if (part == "..") {
+      at = at.parent_path();
+      continue;
+    }
+    const fs::path next = at / part;
+    std::error_code error;
+    if (!fs::is_symlink(fs::symlink_status(next, error))) {
+      at = next;
+      continue;
+    }
+    const fs::path target = fs::read_symlink(next, error);
+    if (error || ++links > kMostLinks) return {};
+    left.insert(left.begin(), target.begin(), target.end());  // an absolute one begins with the root, which replaces `at`
+  }
+  return at;
 }
 
 bool is_below(const fs::path& path, const fs::path& folder) {

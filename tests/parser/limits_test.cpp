@@ -141,6 +141,21 @@ TEST_F(Permissions, ASceneWritesToItsFolderOnly) {
   EXPECT_EQ(error_of(include("scene/link/d.inc")), "") << "a link in the scene's folder may be read through";
 }
 
+TEST_F(Permissions, LinksToWhatDoesNotExistYetAreFollowed) {
+  fs::create_symlink("../other/w.txt", root_ / "scene/dangling");
+  fs::create_symlink(root_ / "scene/dangling", root_ / "scene/two_steps");
+  fs::create_symlink("sub/w.txt", root_ / "scene/within");
+  fs::create_symlink("circle", root_ / "scene/circle");
+  for (const char* mode : {"write", "append"}) {
+    for (const char* name : {"scene/dangling", "scene/two_steps", "scene/circle"}) {
+      EXPECT_EQ(error_of(open(name, mode)), "io-restriction") << name << ' ' << mode;
+    }
+    EXPECT_EQ(error_of(open("scene/within", mode)), "");
+  }
+  EXPECT_FALSE(fs::exists(path("other/w.txt")));
+  EXPECT_TRUE(fs::exists(path("scene/sub/w.txt")));
+}
+
 TEST(FilePermissions, CompareWholeNamesOfFolders) {
   FilePermissions permissions;
   permissions.allow_read("/srv/scene");

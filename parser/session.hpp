@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <memory>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -49,7 +50,8 @@ struct Session {
 
   Names names;
   std::deque<std::unique_ptr<SourceFile>> files;         // by SourceLocation::file
-  std::unordered_map<std::string, SourceFile*> by_path;  // a file is read and lexed once
+  std::unordered_map<std::string, SourceFile*> by_path;  // a file is read and lexed once ...
+  std::set<std::string> written;                         // ... except those, by their true path, that the scene writes
   SymbolTable symbols;
   Reader reader;
   TokenStream stream;
@@ -69,8 +71,10 @@ struct Session {
 
   // Adds a file's text to the table and lexes it.
   SourceFile& add_file(std::string name, FileText text, bool main_file);
-  // The file at `path`, read on first use; null if it cannot be opened.
+  // The file at `path`, read on first use, and again when the scene has changed it; null if it cannot be opened.
   SourceFile* load(const std::string& path);
+  // The file at `path` is about to be written: it will be read again.
+  void prepare_writing(const std::string& path);
 
   SourceLocation locate(std::uint32_t file, const Token* token) const;
 

@@ -16,7 +16,22 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
+// The one path of a file that has many.
+std::string true_path(const std::string& path) {
+  std::error_code error;
+  const fs::path result = fs::weakly_canonical(path, error);
+  return error ? path : result.string();
+}
+
 }  // namespace
+
+void Session::prepare_writing(const std::string& path) {
+  const std::string file = true_path(path);
+  written.insert(file);
+  for (const auto& known : files) {
+    if (known->storage.follows_file() && true_path(known->name) == file) known->keep_text();
+  }
+}
 
 SourceFile& Session::add_file(std::string name, FileText text, bool main_file) {
   auto file = std::make_unique<SourceFile>();
@@ -31,7 +46,9 @@ SourceFile& Session::add_file(std::string name, FileText text, bool main_file) {
 }
 
 SourceFile* Session::load(const std::string& path) {
-  if (const auto known = by_path.find(path); known != by_path.end() && !known->second->forgotten) return known->second;
+  const auto known = by_path.find(path);
+  SourceFile* const before = known != by_path.end() && !known->second->forgotten ? known->second : nullptr;
+  if (before != nullptr && (written.empty() || !written.contains(true_path(path)))) return before;
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   if (error || !is_file(path)) return nullptr;
@@ -42,6 +59,7 @@ SourceFile* Session::load(const std::string& path) {
   resources.charge(size);
   std::optional<FileText> text = FileText::of_file(path, size);
   if (!text) return nullptr;
+  if (before != nullptr && before->text == text->view()) return before;
   SourceFile& file = add_file(path, std::move(*text), files.empty());
   by_path.insert_or_assign(path, &file);
   return &file;

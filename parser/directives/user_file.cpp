@@ -23,6 +23,7 @@ void open_for_output(Session& session, UserFile& file, const std::string& name, 
     d.hint = "--allow-write FOLDER permits it";
     session.report_fatal(std::move(d));
   }
+  session.prepare_writing(name);
   file.output.open(name, std::ios::binary | mode);
   if (file.output) return;
   session.fail("Cannot open user file " + name + (mode == std::ios::app ? " (append)." : " (write)."), "user-file");
@@ -43,7 +44,9 @@ void open_for_reading(Session& session, UserFile& file, const std::string& name)
   if (path && !error) text = FileText::of_file(*path, size);
   if (!text) session.fail("Cannot open user file " + name + " (read).", "user-file");
   file.input.name = *path;
+  session.resources.charge(size);
   file.input.set_text(std::move(*text));
+  file.input.keep_text();
   file.reading = true;
   lex(file.input, session.names, false);
   file.cursor = file.input.tokens.data();

@@ -21,6 +21,8 @@ class FileText {
 
   // Valid until this is moved or ends.
   std::string_view view() const { return map_ != nullptr ? std::string_view(map_, size_) : std::string_view(text_); }
+  // Mapped: the text changes, and ends, with the file.
+  bool follows_file() const { return map_ != nullptr; }
   // The bytes from `begin` to `end` are not needed for now: their memory is given back. They can still be read.
   void release(std::size_t begin, std::size_t end) const;
 

@@ -75,6 +75,10 @@ struct SourceFile {
     storage = std::move(new_text);
     text = storage.view();
   }
+  // Takes the text into memory: the file is about to change.
+  void keep_text() {
+    if (storage.follows_file()) set_text(FileText(std::string(text)));
+  }
 
   SourceLocation locate(std::uint32_t offset) const;  // line and column, from 1
   // Without its line end; not much more than `most` bytes of it.

@@ -156,6 +156,28 @@ TEST_F(Permissions, LinksToWhatDoesNotExistYetAreFollowed) {
   EXPECT_TRUE(fs::exists(path("scene/sub/w.txt")));
 }
 
+TEST_F(Permissions, AFileThatTheSceneHasRewrittenIsReadAnew) {
+  const std::string loop = "#for (I, 0, 2) " + open("scene/gen.inc", "write") +
+                           " #write(F, concat(\"#declare Gen = \", str(I, 0, 0), \";\")) #fclose F " + include("scene/gen.inc") +
+                           " #if (Gen != I) #error \"stale\" #end #end ";
+  EXPECT_EQ(error_of(loop), "");
+  fs::create_symlink("gen.inc", root_ / "scene/other_name.inc");
+  EXPECT_EQ(error_of(include("scene/other_name.inc") + loop + include("scene/other_name.inc") + " #if (Gen != 2) #error \"stale\" #end"),
+            "");
+  EXPECT_EQ(error_of(include("scene/gen.inc") + open("scene/gen.inc", "append") + " #write(F, \"#declare Gen = 7;\") " +
+                     include("scene/gen.inc") + " #if (Gen != 7) #error \"stale\" #end"),
+            "")
+      << "while it is still open";
+}
+
+TEST_F(Permissions, ALargeFileMayOverwriteItself) {
+  const std::string end = "#declare Done = 1; " + open("scene/large.inc", "write");
+  std::ofstream(root_ / "scene/large.inc") << std::string(12u << 20, ' ') + "#declare Early = 1;\n" + end + "\n" +
+                                                  std::string(12u << 20, ' ') + "#declare Late = 1;\n";
+  EXPECT_EQ(error_of(include("scene/large.inc") + " #if (Late != 1) #error \"cut\" #end"), "");
+  EXPECT_EQ(fs::file_size(root_ / "scene/large.inc"), 0u);
+}
+
 TEST(FilePermissions, CompareWholeNamesOfFolders) {
   FilePermissions permissions;
   permissions.allow_read("/srv/scene");

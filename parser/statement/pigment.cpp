@@ -54,14 +54,15 @@ void parse_list(Reader& reader, Pigment& pigment, BodyKind kind) {
 // The pattern's word with all that belongs to it; false if none comes next.
 bool accept_pigment_pattern(Reader& reader, Pigment& pigment, BodyKind kind) {
   if (at_color_word(reader)) {
-    if (kind == BodyKind::kFunction)
-      reader.error("Keyword 'color' can only be used in a pigment or density statement.");
+    if (kind == BodyKind::kFunction) reader.close(Word::kPattern);  // an error: a pattern has no colours
     pigment.body.pattern = NoPattern{};
     pigment.map = reader.color();
     return true;
   }
   // What an earlier pattern had as its only content says nothing about the new one.
   const bool loses_map = is_plain_color(pigment) || std::holds_alternative<UvMapping>(pigment.body.pattern);
+  // The colours of a list count as a map under another pattern, also those that were not written.
+  if (list_length(pigment.body) > 0 && std::holds_alternative<std::monostate>(pigment.map)) pigment.map = default_color_map(pigment.body);
   if (!accept_pattern(reader, pigment.body, kind).found) return false;
   if (loses_map) pigment.map = std::monostate{};
   if (std::holds_alternative<UvMapping>(pigment.body.pattern)) {

@@ -37,6 +37,17 @@ Layers layers_of(const Texture& texture) {
   return layers;
 }
 
+// Up to version 3.1 layers do not filter what lies below them, whenever they are put on an object or together.
+TexturePtr upper_layers_unfiltered(const TexturePtr& texture) {
+  Layers layers = layers_of(*texture);
+  if (layers.size() < 2) return texture;
+  for (std::size_t i = 1; i < layers.size(); ++i) layers[i].pigment = unfiltered(layers[i].pigment);
+  Texture result;
+  result.where = texture->where;
+  result.content = std::move(layers);
+  return std::make_shared<const Texture>(std::move(result));
+}
+
 }  // namespace
 
 bool is_plain(const Texture& texture) { return std::holds_alternative<Layers>(texture.content); }
@@ -83,7 +94,7 @@ void fold_placement(TextureOnObject& texture) {
 }
 
 TexturePtr layered(Reader& reader, const TexturePtr& below, const TexturePtr& top) {
-  if (below == nullptr) return top;
+  if (below == nullptr) return reader.version() <= 310 && is_plain(*top) ? upper_layers_unfiltered(top) : top;
   if (!is_plain(*below)) reader.error("Cannot layer over a patterned texture.");
   if (!is_plain(*top)) reader.error("Cannot layer a patterned texture over another.");
   Texture result;

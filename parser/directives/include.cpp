@@ -1,6 +1,7 @@
 // #include and #version; files are read and lexed once. Source: specification chapter 10 §6.1, §6.2.
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "parser/directives/directive.hpp"
 #include "parser/expression/expression.hpp"
@@ -105,7 +106,8 @@ void run_version(Session& session) {
     std::snprintf(text, sizeof text, "Your scene file requires POV-Ray version %.1f or later!", version > 3.8 ? version : 3.8);
     session.fail(text, "version");
   }
-  session.language.version = static_cast<int>(std::max(0.0, hundredths));
+  const int before = std::exchange(session.language.version, static_cast<int>(std::max(0.0, hundredths)));
+  if ((before < kFirstVersionWithOperators) != (session.language.version < kFirstVersionWithOperators)) forget_compiled(session);
   if (!session.language.version_given && !first) session.language.version_first = false;
   session.language.version_given = true;
   if (!session.noise_generator_given) session.scene.settings.noise_generator = session.language.version < 350 ? 1 : 2;

@@ -84,6 +84,7 @@ namespace {
   const SourceLocation where = file.input.locate(file.cursor->offset);
   std::string found(name_of(file.cursor->kind));
   if (file.cursor->kind == TokenKind::kWord) found = spelling(file.cursor->word);
+  if (file.cursor->kind == TokenKind::kName) found += " '" + std::string(session.names.text(file.cursor->index)) + "'";
   if (file.cursor->kind == TokenKind::kError) session.fail(file.input.errors[file.cursor->index], "user-file");
   session.fail("Expected '" + std::string(expected) + "', " + found + " found instead (in file '" + file.input.name + "', line " +
                    std::to_string(where.line) + ")",

@@ -36,6 +36,10 @@ void end_recording(Session& session, Level level) {
   state.codes.push_back(std::move(code));
 }
 
+void forget_compiled(Session& session) {
+  for (const std::unique_ptr<SourceFile>& file : session.files) file->expression_codes.clear();
+}
+
 bool run_compiled(Session& session, Level level, Number& result) {
   TokenStream& stream = session.stream;
   if (!stream.repeats() || !stream.window_empty()) return false;

@@ -18,6 +18,7 @@ struct Session;
 struct SourceFile;
 
 enum class Level : std::uint8_t { kAdditive, kFull };  // how much of the grammar is allowed (specification chapter 10 §7.1)
+constexpr int kFirstVersionWithOperators = 150;        // times 100: below it an additive expression is a single factor
 
 enum class CodeOp : std::uint8_t {
   kConstant,      // index: constant
@@ -82,6 +83,9 @@ struct ExpressionState {
     std::size_t depth_;
   };
 };
+
+// After #version has changed what the same tokens mean: they are parsed anew.
+void forget_compiled(Session& session);
 
 // Runs a code if every name in it still holds what it needs; else false, and nothing has happened.
 bool run(Session& session, const Code& code, Number& result);

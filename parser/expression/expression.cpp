@@ -243,7 +243,10 @@ Number parse_nested(Session& session, Level level) {
   Cursor first(session);
   Number result;
   const Cursor last;
-  const bool found = level == Level::kFull ? x3::parse(first, last, full, result) : x3::parse(first, last, sum, result);
+  const bool single = level == Level::kAdditive && session.language.version < kFirstVersionWithOperators;
+  const bool found = level == Level::kFull ? x3::parse(first, last, full, result)
+                     : single              ? x3::parse(first, last, factor, result)
+                                           : x3::parse(first, last, sum, result);
   if (!found) session.fail_expected("numeric expression", session.stream.peek());
   return result;
 }

@@ -173,19 +173,22 @@ void check_count(FunctionScope& scope, std::size_t supplied, std::size_t require
                      "function-arguments");
 }
 
+[[noreturn]] void fail_count(FunctionScope& scope, Word word, const char* expected) {
+  scope.session.fail("Invalid number of parameters for '" + std::string(spelling(word)) + "': " + expected + " expected!",
+                     "function-arguments");
+}
+
 Node parse_built_in(FunctionScope& scope, Word word, UnaryOp op) {
   const std::vector<Node> arguments = parse_arguments(scope);
-  if (arguments.size() != 1) {
-    scope.session.fail("Invalid number of parameters for '" + std::string(spelling(word)) + "': Only one parameter expected!",
-                       "function-arguments");
-  }
+  if (arguments.size() != 1) fail_count(scope, word, "Only one parameter");
   return scope.builder.unary(op, arguments[0]);
 }
 
 Node parse_built_in(FunctionScope& scope, Word word, BinaryOp op) {
   const std::vector<Node> arguments = parse_arguments(scope);
   const bool any_number = word == Word::kMin || word == Word::kMax;
-  if (!any_number || arguments.size() < 2) check_count(scope, arguments.size(), 2);
+  if (any_number && arguments.size() < 2) fail_count(scope, word, "At least two parameters");
+  if (!any_number && arguments.size() != 2) fail_count(scope, word, "Two parameters");
   Node result = arguments[0];
   for (std::size_t i = 1; i < arguments.size(); ++i) result = scope.builder.binary(op, result, arguments[i]);
   return result;
@@ -193,26 +196,31 @@ Node parse_built_in(FunctionScope& scope, Word word, BinaryOp op) {
 
 Node parse_select(FunctionScope& scope) {
   const std::vector<Node> a = parse_arguments(scope);
-  if (a.size() != 4) check_count(scope, a.size(), 3);
+  if (a.size() != 3 && a.size() != 4) fail_count(scope, Word::kSelect, "Three or four parameters");
   return scope.builder.select(a[0], a[1], a[2], a.size() == 4 ? a[3] : a[2]);
 }
 
-// sum(i, from, to, term): `i` is a new name inside the term.
+bool is_coordinate(Word word) {
+  return word == Word::kX || word == Word::kY || word == Word::kZ || word == Word::kU || word == Word::kV;
+}
+
+// sum(i, from, to, term): `i` is a new name inside the term. A coordinate may stand there, but stays what it is.
 Node parse_repetition(FunctionScope& scope, bool product) {
   Reader& reader = scope.session.reader;
   reader.expect(TokenKind::kLeftParen);
   const Item name = reader.peek();
-  if (!name.is(TokenKind::kName)) scope.session.fail_expected("undeclared identifier", name);
+  if (!name.is(TokenKind::kName) && !is_coordinate(name.word())) scope.session.fail_expected("undeclared identifier", name);
   reader.take();
+  if (is_coordinate(name.word())) scope.session.warn("The variable of sum() or prod() needs a name of its own: a coordinate does not run.", "function");
   reader.expect(TokenKind::kComma);
   const Node from = parse_expression(scope);
   reader.expect(TokenKind::kComma);
   const Node to = parse_expression(scope);
   reader.expect(TokenKind::kComma);
   const Node local = scope.builder.local();
-  scope.locals.emplace_back(name.token.index, local);
+  if (name.is(TokenKind::kName)) scope.locals.emplace_back(name.token.index, local);
   const Node term = parse_expression(scope);
-  scope.locals.pop_back();
+  if (name.is(TokenKind::kName)) scope.locals.pop_back();
   reader.expect(TokenKind::kRightParen);
   return product ? scope.builder.product(local, from, to, term) : scope.builder.sum(local, from, to, term);
 }

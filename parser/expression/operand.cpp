@@ -87,14 +87,16 @@ Number parse_numeric_call(Session& session, Word word, std::string_view signatur
   const std::size_t most = repeated ? SIZE_MAX : signature.size() - (optional_last ? 1 : 0);
   const std::size_t least = repeated ? 1 : most - (optional_last ? 1 : 0);
   while (arguments.size() < most) {
-    if (arguments.size() >= least && session.reader.at(TokenKind::kRightParen)) break;
+    // Between arguments that must be there a comma may be missing; one that may be left out is announced by its comma.
+    const bool required = arguments.size() < least;
+    if (!arguments.empty() && !session.reader.accept(TokenKind::kComma) && !required) break;
     const char kind = repeated ? 'a' : signature[arguments.size()];
     const Number argument = evaluate(session, kind == 'f' ? Level::kFull : Level::kAdditive);
     // Checked at once: the message belongs to this argument.
     promoted(session, argument, kind == 'V' ? 3 : 1);
     arguments.push_back(argument);
-    session.reader.comma();
   }
+  if (word == Word::kVturbulence) session.reader.comma();  // which the reference lets pass here alone
   close_call(session);
   if (arguments.size() > 0xFFFF) {
     stop_recording(session);
@@ -158,9 +160,12 @@ namespace {
 Number call_spline(Session& session, const Item& item, const SplinePtr& spline) {
   open_call(session);
   const double t = float_argument(session, Level::kAdditive);
-  session.reader.comma();
-  const std::optional<SplineKind> kind = spline_kind(session.reader.word());
-  if (kind) session.reader.take();
+  std::optional<SplineKind> kind;
+  if (session.reader.accept(TokenKind::kComma)) {
+    kind = spline_kind(session.reader.word());
+    if (!kind) session.fail("linear_spline, quadratic_spline, natural_spline, or cubic_spline expected.", "spline");
+    session.reader.take();
+  }
   close_call(session);
   if (item.subscripts > 0) {
     stop_recording(session);

@@ -41,14 +41,16 @@ std::string format_float(double value, int length, int precision) {
 
 namespace {
 
-std::u16string string_argument(Session& session, bool file_name = false) {
-  std::u16string text = parse_string(session, file_name);
+std::u16string string_argument(Session& session) {
+  std::u16string text = parse_string(session);
   session.reader.comma();
   return text;
 }
 
+double last_number(Session& session) { return float_argument(session, Level::kAdditive); }
+
 double number_argument(Session& session) {
-  const double value = float_argument(session, Level::kAdditive);
+  const double value = last_number(session);
   session.reader.comma();
   return value;
 }
@@ -56,7 +58,7 @@ double number_argument(Session& session) {
 std::u16string parse_str(Session& session) {
   const double value = number_argument(session);
   const int length = to_int32(number_argument(session));
-  const int precision = to_int32(number_argument(session));
+  const int precision = to_int32(last_number(session));
   return from_bytes(format_float(value, length, precision));
 }
 
@@ -66,7 +68,7 @@ std::u16string parse_vstr(Session& session) {
   session.reader.comma();
   const std::u16string separator = string_argument(session);
   const int length = to_int32(number_argument(session));
-  const int precision = to_int32(number_argument(session));
+  const int precision = to_int32(last_number(session));
   std::u16string text;
   for (int i = 0; i < count; ++i) {
     if (i > 0) text += separator;
@@ -77,10 +79,11 @@ std::u16string parse_vstr(Session& session) {
 
 std::u16string parse_concat(Session& session, bool file_name) {
   // The first argument of a concat that names a file has its escapes resolved nevertheless.
-  std::u16string text = string_argument(session, false);
+  std::u16string text = parse_string(session);
   constexpr std::size_t kMostUnits = 1u << 28;
-  while (starts_string(session.stream.peek())) {
-    text += string_argument(session, file_name);
+  while (!session.reader.at(TokenKind::kRightParen)) {
+    session.reader.comma();
+    text += parse_string(session, file_name);
     if (text.size() > kMostUnits) session.fail("The string is too long.", "limit-memory");
     session.resources.charge(text.size() * sizeof(char16_t));
   }
@@ -96,7 +99,7 @@ std::u16string parse_chr(Session& session) {
 std::u16string parse_substr(Session& session) {
   const std::u16string text = string_argument(session);
   const std::int64_t position = to_int32(number_argument(session));
-  const std::int64_t count = to_int32(number_argument(session));
+  const std::int64_t count = to_int32(last_number(session));
   if (position < 0 || count < 0 || position + count - 1 > static_cast<std::int64_t>(text.size())) {
     session.fail("Illegal parameters in substr.", "substr");
   }
@@ -107,7 +110,7 @@ std::u16string parse_substr(Session& session) {
 std::u16string parse_datetime(Session& session) {
   const double days = number_argument(session);
   std::string format = "%Y-%m-%d %H:%M:%SZ";
-  if (starts_string(session.stream.peek())) format = to_bytes(session, parse_string(session));
+  if (!session.reader.at(TokenKind::kRightParen)) format = to_bytes(session, parse_string(session));
   if (format.empty()) session.fail("Empty format string.", "datetime");
   if (format.size() > 200) session.fail("Format string too long.", "datetime");
   constexpr double kSecondsTo2000 = 946684800.0;

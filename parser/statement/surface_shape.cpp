@@ -177,11 +177,12 @@ Parametric parse_parametric(Reader& reader) {
       parametric.container = parse_container(reader);
     } else if (reader.accept(Word::kPrecompute)) {
       const int depth = reader.integer();
-      if (depth < 1 || depth > 20) reader.error("Precompute: invalid depth");
+      bool any = false;
       for (const Word axis : {Word::kX, Word::kY, Word::kZ}) {
         reader.comma();
-        reader.accept(axis);
+        any |= reader.accept(axis);
       }
+      if (any && (depth < 1 || depth > 20)) reader.error("Precompute: invalid depth");
     } else {
       return parametric;
     }

@@ -237,18 +237,24 @@ void TokenStream::fetch(bool directives_allowed) {
   }
 }
 
+void TokenStream::warn_deprecated(Deprecation& deprecation, const Item& item) {
+  const bool same_use = deprecation.use == item.source && deprecation.use_event == events;
+  if (same_use || (deprecation.once && deprecation.told)) return;
+  deprecation.told = true;
+  deprecation.use = item.source;
+  deprecation.use_event = events;
+  last_file = item.file;
+  last_token = item.source;
+  session_.warn(deprecation.message, "deprecated");
+}
+
 // Looks a name up: an identifier if it is declared. The frame's cursor is behind the name.
 void TokenStream::resolve(Item& item, bool read_subscripts) {
   SymbolTable::Entry* entry = session_.symbols.find(item.token.index);
   if (entry == nullptr) return;
   item.token.kind = TokenKind::kIdentifier;
   item.slot = entry->slot;
-  if (entry->deprecation && !(entry->deprecation->once && entry->deprecation->told)) {
-    entry->deprecation->told = true;
-    last_file = item.file;
-    last_token = item.source;
-    session_.warn(entry->deprecation->message, "deprecated");
-  }
+  if (entry->deprecation) warn_deprecated(*entry->deprecation, item);
   if (!read_subscripts) return;
   // An element of an array of arrays may be subscripted again.
   while (const ArrayPtr* array = item.slot->get_if<ArrayPtr>()) {

@@ -14,6 +14,8 @@
 
 namespace lute {
 
+struct Deprecation;
+
 struct TokenFrame {
   SourceFile* file = nullptr;
   const Token* cursor = nullptr;
@@ -145,6 +147,7 @@ class TokenStream {
   void forget_passed(const Token* before);
   bool at_frame_end();  // handles the end of a macro's body or of an included file; false when there is a token to read
   void resolve(Item& item, bool read_subscripts);
+  void warn_deprecated(Deprecation& deprecation, const Item& item);
   [[noreturn]] void fail_unreadable(const TokenFrame& frame);
 
   Session& session_;

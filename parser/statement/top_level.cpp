@@ -172,6 +172,14 @@ void finish_scene(Reader& reader) {
   if (!reader.assumed_gamma_given()) {
     scene.settings.gamma_mode = scene.effective_version < kWithGamma ? GammaMode::kNone : GammaMode::kPower;
     scene.settings.assumed_gamma = 1;
+    if (scene.effective_version < kWithGamma) {
+      reader.warning("assumed_gamma is not specified: for compatibility with scenes before version 3.7 no gamma is applied.");
+    } else {
+      reader.possible_error("assumed_gamma is not specified: write global_settings { assumed_gamma 1.0 }");
+    }
+  }
+  if (reader.version() < kOldestRendered) {
+    reader.warning("The scene ended with a language version below 3.5: faults of those versions that it may rely on are not rendered.");
   }
   if (!reader.session().noise_generator_given) scene.settings.noise_generator = reader.version() < kOldestRendered ? 1 : 2;
   if (scene.objects.empty()) reader.warning("No objects in scene.");

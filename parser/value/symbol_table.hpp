@@ -17,6 +17,9 @@ struct Deprecation {
   std::string message;
   bool once = false;
   bool told = false;
+  // The last use that was told of: it may be looked up again before it is taken.
+  const Token* use = nullptr;
+  std::uint64_t use_event = 0;
 };
 
 class SymbolTable {

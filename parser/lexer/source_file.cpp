@@ -49,21 +49,32 @@ std::uint32_t line_end(std::string_view text, std::uint32_t i) {
 
 }  // namespace
 
+// Counts lines up to `to`, or to the line end that it lies within.
+void SourceFile::count_lines(LineMark& here, std::uint32_t to) const {
+  const char* const data = text.data();
+  for (;;) {
+    std::uint32_t at = here.offset;
+    while (at < to && static_cast<unsigned char>(data[at]) > '\r') ++at;
+    here.offset = at;
+    if (at >= to) return;
+    const std::uint32_t length = line_end(text, here.offset);
+    if (here.offset + length > to) return;
+    here.offset += length == 0 ? 1 : length;
+    if (length == 0) continue;
+    ++here.line;
+    here.line_start = here.offset;
+  }
+}
+
 // Until this offset or this line is passed.
 void SourceFile::find_lines(std::uint32_t to_offset, std::uint32_t to_line) const {
-  LineMark& here = counted_;
-  while (here.offset < text.size() && here.offset <= to_offset && here.line <= to_line) {
-    const std::uint32_t length = line_end(text, here.offset);
-    here.offset += length == 0 ? 1 : length;
-    if (length != 0) {
-      ++here.line;
-      here.line_start = here.offset;
-    }
-    if (here.offset - line_marks_.back().offset < kMarkDistance) continue;
-    line_marks_.push_back(here);
-    if (here.offset - released_ >= kReleased) {
-      storage.release(released_, here.offset);
-      released_ = here.offset;
+  const auto size = static_cast<std::uint32_t>(text.size());
+  while (counted_.offset < size && counted_.offset <= to_offset && counted_.line <= to_line) {
+    count_lines(counted_, size - counted_.offset < kMarkDistance ? size : counted_.offset + kMarkDistance);
+    line_marks_.push_back(counted_);
+    if (counted_.offset - released_ >= kReleased) {
+      storage.release(released_, counted_.offset);
+      released_ = counted_.offset;
     }
   }
 }
@@ -78,16 +89,12 @@ void SourceFile::forget_tokens(const Token* before) {
 
 SourceLocation SourceFile::locate(std::uint32_t offset) const {
   find_lines(offset, kAnyLine);
-  const auto after = std::ranges::upper_bound(line_marks_, offset, {}, &LineMark::offset);
-  LineMark here = *(after - 1);
-  for (std::uint32_t i = here.offset; i < offset && i < text.size();) {
-    const std::uint32_t length = line_end(text, i);
-    i += length == 0 ? 1 : length;
-    if (length == 0 || i > offset) continue;
-    ++here.line;
-    here.line_start = i;
+  // Places are mostly asked for in the order of the text: then the last one is nearer than any mark.
+  if (offset < located_.offset || offset - located_.offset > kMarkDistance) {
+    located_ = *(std::ranges::upper_bound(line_marks_, offset, {}, &LineMark::offset) - 1);
   }
-  return {index, here.line, offset - here.line_start + 1};
+  count_lines(located_, std::min(offset, static_cast<std::uint32_t>(text.size())));
+  return {index, located_.line, offset - located_.line_start + 1};
 }
 
 std::string_view SourceFile::line(std::uint32_t number, std::size_t most) const {

@@ -91,9 +91,11 @@ struct SourceFile {
   struct LineMark {
     std::uint32_t offset = 0, line = 1, line_start = 0;
   };
+  void count_lines(LineMark& here, std::uint32_t to) const;
   void find_lines(std::uint32_t to_offset, std::uint32_t to_line) const;
   mutable std::vector<LineMark> line_marks_{LineMark{}};
   mutable LineMark counted_;  // where the lines were counted to
+  mutable LineMark located_;  // the place asked for last
   mutable std::size_t released_ = 0;
 };
 

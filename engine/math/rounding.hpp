@@ -16,6 +16,12 @@ inline double fast_floor(double v) {
   return t > v ? t - 1 : t;
 }
 
+// Within +-limit; what is not a number becomes -limit. The one rule for numbers that scenes bring to where an integer is made of them.
+inline double bounded(double v, double limit) { return v > -limit ? (v < limit ? v : limit) : -limit; }
+
+// A whole number as an integer. Beyond 9e15 cells are meaningless, but must not be undefined.
+inline std::int64_t cell_number(double v) { return static_cast<std::int64_t>(bounded(v, 9e15)); }
+
 // Equal to std::fmod(v, 1) for every number: the part after the point, with the sign of v.
 inline double fraction(double v) {
   if (!(std::fabs(v) < kAllIntegers)) return std::fmod(v, 1.0);

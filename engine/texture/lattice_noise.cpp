@@ -33,7 +33,7 @@ struct Lattice {
       i = static_cast<std::int64_t>(shifted);
       fraction = c - static_cast<double>(i);
     } else {
-      i = static_cast<std::int64_t>(std::clamp(shifted, -9e15, 9e15));
+      i = cell_number(shifted);
       fraction = c - shifted;
     }
     cell = static_cast<std::uint32_t>(i + 10000) & 4095u;

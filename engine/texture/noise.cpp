@@ -106,7 +106,7 @@ double perlin(const dvec3& p) {
   for (int axis = 0; axis < 3; ++axis) {
     const double t = p[axis] + 10000000.023157213;
     const double n = fast_floor(t);
-    b0[axis] = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::clamp(n, -9e15, 9e15))) & 2047u;
+    b0[axis] = static_cast<std::uint32_t>(cell_number(n)) & 2047u;
     b1[axis] = (b0[axis] + 1) & 2047u;
     r0[axis] = t - n;
   }

@@ -42,8 +42,7 @@ dvec3 warp(const BlackHoleWarp& w, const dvec3& p) {
     for (int i = 0; i < 3; ++i)
       if ((*w.repeat)[i] >= kEpsilon) block[i] = std::floor(p[i] / (*w.repeat)[i]);
     if (w.turbulence != dvec3(0)) {
-      const auto cell = [](double c) { return static_cast<std::int64_t>(std::clamp(c, -9e15, 9e15)); };
-      const std::uint32_t h = hash3(cell(block.x), cell(block.y), cell(block.z));
+      const std::uint32_t h = hash3(cell_number(block.x), cell_number(block.y), cell_number(block.z));
       center += dvec3(random_table(h), random_table(h + 1), random_table(h + 2)) * w.turbulence;
     }
     center += *w.repeat * block;
@@ -111,8 +110,7 @@ dvec3 apply_warps(const WarpChain& chain, dvec3 point, bool skip_classic_turbule
     if (skip_classic_turbulence && std::holds_alternative<ClassicTurbulence>(w)) continue;
     point = std::visit([&](const auto& each) { return warp(each, point); }, w);
   }
-  const auto within = [](double c) { return std::clamp(c, -1e17, 1e17); };
-  return {within(point.x), within(point.y), within(point.z)};
+  return bounded_coordinates(point);
 }
 
 void prepend_transform(WarpChain& chain, const Transform& transform) {

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/math/rounding.hpp"
 #include "engine/math/transform.hpp"
 #include "engine/math/vec.hpp"
 
@@ -45,7 +46,13 @@ using Warp = std::variant<Transform, ClassicTurbulence, TurbulenceWarp, RepeatWa
                           SphericalWarp, ToroidalWarp, CubicWarp>;
 using WarpChain = std::vector<Warp>;
 
-// The point after the chain, each coordinate kept within 1e17. Classic turbulence is left out where the pattern uses it itself.
+// The point with each coordinate kept within 1e17, and never not a number: what patterns are asked for.
+inline dvec3 bounded_coordinates(const dvec3& point) {
+  constexpr double kLimit = 1e17;
+  return {bounded(point.x, kLimit), bounded(point.y, kLimit), bounded(point.z, kLimit)};
+}
+
+// The point after the chain, its coordinates bounded. Classic turbulence is left out where the pattern uses it itself.
 dvec3 apply_warps(const WarpChain& chain, dvec3 point, bool skip_classic_turbulence);
 
 // The turn of (x, z) around the y axis as a fraction of the circle, from +x toward +z.

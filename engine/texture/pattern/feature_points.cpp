@@ -34,7 +34,7 @@ constexpr auto kOffsets = [] {
   return offsets;
 }();
 
-std::uint32_t low_bits(double c) { return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::clamp(c, -9e15, 9e15)) & 4095); }
+std::uint32_t low_bits(double c) { return static_cast<std::uint32_t>(cell_number(c) & 4095); }
 
 // A point and its cube.
 struct Place {

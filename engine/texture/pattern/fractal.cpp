@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/rounding.hpp"
+
 namespace lute {
 namespace {
 
@@ -86,11 +88,11 @@ double exterior_value(const FractalSettings& settings, int step, const FractalPo
     case 5: return z.im * z.im * f;
     case 6: return std::sqrt(norm2(z)) * f;
     case 7: {
-      const int m = static_cast<int>(f);
+      const int m = static_cast<int>(bounded(f, 1e9));
       return m != 0 ? (step % m) / f : 0;
     }
     default: {
-      const int m = static_cast<int>(f + 1);
+      const int m = static_cast<int>(bounded(f + 1, 1e9));
       return m != 0 ? (step % m) / f : 0;
     }
   }

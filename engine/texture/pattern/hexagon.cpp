@@ -14,7 +14,9 @@ double evaluate(const Hexagon&, const dvec3& p, const PatternContext&) {
   double u = x / 0.5, w = z / 0.866025404;
   u -= 6 * fast_floor(u / 6);
   w -= 6 * fast_floor(w / 6);
-  const int i = std::min(static_cast<int>(u), 5), j = std::min(static_cast<int>(w), 5);
+  // Far away the difference is rounded to anything.
+  const auto side = [](double v) { return static_cast<int>(std::clamp(v, 0.0, 5.0)); };
+  const int i = side(u), j = side(w);
   if (i == 0 || i == 5) return kSide[j];
   if (i == 2 || i == 3) return kMiddle[j];
   double a = u - i;

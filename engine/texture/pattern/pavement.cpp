@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "engine/math/rounding.hpp"
 #include "engine/texture/pattern/pavement_tiles.hpp"
@@ -12,7 +13,10 @@ namespace {
 const double kRoot3 = std::sqrt(3.0), kHeight = kRoot3 / 2, kInradius = 1 / (2 * kRoot3);
 
 // The number of a cell along an axis; far away it is meaningless, but must not be undefined.
-int cell_of(double c) { return static_cast<int>(std::clamp(fast_floor(c), -1e8, 1e8)); }
+int cell_of(double c) { return static_cast<int>(bounded(fast_floor(c), 1e8)); }
+
+// Which kind a written number means; the reference keeps it in a byte without sign.
+int kind_of(int written, int kinds) { return static_cast<std::uint8_t>(written) % kinds; }
 
 // The unit square around the point, seen from one of its corners.
 struct SquareCorner {
@@ -43,7 +47,7 @@ double square_value(const Pavement& pattern, const PavementTiles& tiles, double 
     corners[k] = {2 * (right ? 1 - fx : fx), 2 * (up ? 1 - fz : fz), drawn_x[right], drawn_z[up], differs(2 * right - 1, 2 * up - 1)};
   }
   const int drawn = drawn_x[0] + drawn_x[1] + drawn_z[0] + drawn_z[1];
-  const int form = pattern.form % 4, interior = pattern.interior % 3, exterior = pattern.exterior % 3;
+  const int form = kind_of(pattern.form, 4), interior = kind_of(pattern.interior, 3), exterior = kind_of(pattern.exterior, 3);
   if (form != 3 && drawn == 2)
     for (int k = 0; k < 4; ++k)
       if (corners[k].inner() && corners[3 - k].corner()) return bend(form, corners[k].a, corners[k].b);
@@ -117,8 +121,8 @@ class TriangleTiles {
 class TriangleView {
  public:
   TriangleView(const Pavement& pattern, const TriangleTiles& tiles, dvec2 point)
-      : sides_(pattern.sides), form_(pattern.form % 3), interior_(pattern.interior % 3), exterior_(pattern.exterior % 3), tiles_(tiles),
-        point_(point) {
+      : sides_(pattern.sides), form_(kind_of(pattern.form, 3)), interior_(kind_of(pattern.interior, 3)),
+        exterior_(kind_of(pattern.exterior, 3)), tiles_(tiles), point_(point) {
     const double v = point.y / kHeight, u = point.x - v / 2;
     triangle_ = {cell_of(u), cell_of(v), true};
     triangle_.up = (u - triangle_.i) + (v - triangle_.j) < 1;

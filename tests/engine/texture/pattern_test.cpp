@@ -162,6 +162,25 @@ TEST(Pattern, ListPatternsAtChosenPoints) {
   EXPECT_EQ(value_at(body_of(Cubic()), {-1, 0.2, 0.9}), 3);
 }
 
+// POV-Ray's pictures with exterior -1, 300 and -3 are those with 255, 44 and 253, that is 0, 2 and 1.
+TEST(Pattern, PavementKindsAreBytesWithoutSign) {
+  const auto value = [](int exterior, const dvec3& p) {
+    Pavement pavement;
+    pavement.tiles = 3;
+    pavement.exterior = exterior;
+    return value_at(body_of(pavement), p);
+  };
+  int differing = 0;
+  for (int i = 0; i < 200; ++i) {
+    const dvec3 p{0.037 * i, 0, 0.071 * i};
+    EXPECT_EQ(value(-1, p), value(0, p));
+    EXPECT_EQ(value(300, p), value(2, p));
+    EXPECT_EQ(value(-3, p), value(1, p));
+    differing += value(0, p) != value(1, p) && value(1, p) != value(2, p);
+  }
+  EXPECT_GT(differing, 0);
+}
+
 TEST(Pattern, WavesShapeTheValue) {
   Gradient gradient;
   gradient.direction = {1, 0, 0};

@@ -45,6 +45,7 @@ struct TextureSpace {
   const TextureSpace* outer = nullptr;
   const Transform* to_world = nullptr;  // from the space of the object's texture
   const CompiledPattern* pattern = nullptr;
+  bool bump_scale = true;  // of the texture of that pattern
 };
 
 class Shader {

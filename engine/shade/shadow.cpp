@@ -100,7 +100,7 @@ Rgb Shader::texture_filter(const CompiledTexture& texture, const dvec3& point, c
                            const dvec3& to_light, SurfaceContext& context) {
   if (texture.pattern != nullptr) {
     if (texture.entries.empty()) return Rgb(0.0f);
-    const TextureSpace inner{.outer = space, .pattern = texture.pattern.get()};
+    const TextureSpace inner{.outer = space, .pattern = texture.pattern.get(), .bump_scale = texture.bump_scale};
     const auto entry_filter = [&](const CompiledTexture::Entry& entry, const dvec3& at) {
       return texture_filter(*entry.texture, at, &inner, leaf, to_light, context);
     };

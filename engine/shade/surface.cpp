@@ -5,19 +5,21 @@
 namespace lute {
 namespace {
 
-// A normal taken through all enclosing spaces, the outermost first.
-dvec3 carry_in(const TextureSpace* space, dvec3 normal, bool normalise) {
+// A normal taken through all enclosing spaces, the outermost first. Each has its own texture's bump scale; that of the object's
+// texture is a part of the next one within, which is `within` where no pattern encloses the layer.
+dvec3 carry_in(const TextureSpace* space, dvec3 normal, bool within) {
   if (space == nullptr) return normal;
-  normal = carry_in(space->outer, normal, normalise);
-  if (space->pattern != nullptr) return space->pattern->carry_in(normal, normalise);
-  const dvec3 carried = space->to_world->inverse_normal(normal);
-  return normalise ? glm::normalize(carried) : carried;
+  if (space->pattern == nullptr) {
+    const dvec3 carried = space->to_world->inverse_normal(normal);
+    return within ? glm::normalize(carried) : carried;
+  }
+  return space->pattern->carry_in(carry_in(space->outer, normal, space->bump_scale), space->bump_scale);
 }
 
-dvec3 carry_out(const TextureSpace* space, dvec3 normal, bool normalise) {
+dvec3 carry_out(const TextureSpace* space, dvec3 normal) {
   for (; space != nullptr; space = space->outer) {
     if (space->pattern != nullptr)
-      normal = space->pattern->carry_out(normal, normalise);
+      normal = space->pattern->carry_out(normal, space->bump_scale);
     else
       normal = glm::transpose(space->to_world->inverse_linear) * normal;
   }
@@ -74,7 +76,7 @@ Color Shader::shade(const TracedRay& ray, const Hit& hit, float weight) {
 Color Shader::texture_color(Surface& surface, const CompiledTexture& texture, const dvec3& point, const TextureSpace* space) {
   if (texture.pattern == nullptr) return layers_color(surface, texture, point, space);
   if (texture.entries.empty()) return {};
-  const TextureSpace inner{.outer = space, .pattern = texture.pattern.get()};
+  const TextureSpace inner{.outer = space, .pattern = texture.pattern.get(), .bump_scale = texture.bump_scale};
   if (texture.pattern->is_uv_mapping())
     return texture_color(surface, *texture.entries.front().texture, dvec3(surface.context.uv, 0), &inner);
 
@@ -98,10 +100,9 @@ Color Shader::texture_color(Surface& surface, const CompiledTexture& texture, co
 
 // The normal that a layer's pattern makes of the raw one. Patterns that ask for the surface's normal see it from then on.
 dvec3 Shader::perturbed(const CompiledNormal& normal, const dvec3& point, const TextureSpace* space, SurfaceContext& context) {
-  const bool normalise = normal.bump_scale();
-  const dvec3 carried = carry_in(space, context.raw_normal, normalise);
+  const dvec3 carried = carry_in(space, context.raw_normal, normal.bump_scale());
   const dvec3 bumped = normal.perturb(carried, point, context);
-  context.normal = space == nullptr ? bumped : glm::normalize(carry_out(space, bumped, normalise));
+  context.normal = space == nullptr ? bumped : glm::normalize(carry_out(space, bumped));
   return context.normal;
 }
 

@@ -45,25 +45,28 @@ const CompiledNormal* TextureCompiler::normal(const NormalPtr& description, bool
   return (normals_[key] = std::move(compiled)).get();
 }
 
-const CompiledTexture* TextureCompiler::texture(const TexturePtr& description) {
-  if (const auto it = textures_.find(description.get()); it != textures_.end()) return it->second.get();
+const CompiledTexture* TextureCompiler::texture(const TexturePtr& description, bool no_bump_scale) {
+  auto& textures = textures_[no_bump_scale ? 1 : 0];
+  if (const auto it = textures.find(description.get()); it != textures.end()) return it->second.get();
   keep_address(description);
   auto compiled = std::make_unique<CompiledTexture>();
-  compiled->bump_scale = !description->no_bump_scale;
+  no_bump_scale = no_bump_scale || description->no_bump_scale;
+  compiled->bump_scale = !no_bump_scale;
   if (const auto* layers = std::get_if<std::vector<TextureLayer>>(&description->content)) {
     compiled->layers.reserve(layers->size());
     for (const TextureLayer& layer : *layers) {
       if (kept_.empty() || kept_.back() != layer.finish) kept_.push_back(layer.finish);
-      compiled->layers.push_back({pigment(layer.pigment), normal(layer.normal, description->no_bump_scale), layer.finish.get(), layer.finish->reflects()});
+      compiled->layers.push_back({pigment(layer.pigment), normal(layer.normal, no_bump_scale), layer.finish.get(), layer.finish->reflects()});
       compiled->opaque = compiled->opaque || compiled->layers.back().pigment->is_opaque();
     }
   } else {
     const auto& patterned = std::get<PatternedTexture>(description->content);
     compiled->pattern = std::make_unique<CompiledPattern>(patterned.body, *this);
-    for (const auto& entry : patterned.map.entries) compiled->entries.push_back({entry.position, texture(entry.value)});
+    for (const auto& entry : patterned.map.entries)
+      compiled->entries.push_back({entry.position, texture(entry.value, no_bump_scale)});
     compiled->opaque = is_opaque_material_map(*compiled);
   }
-  return (textures_[description.get()] = std::move(compiled)).get();
+  return (textures[description.get()] = std::move(compiled)).get();
 }
 
 }  // namespace lute

@@ -24,7 +24,8 @@ class TextureCompiler {
  public:
   explicit TextureCompiler(const TextureSettings& settings);
 
-  const CompiledTexture* texture(const TexturePtr& description);
+  // `no_bump_scale`: of a texture around this one, whose entries inherit it.
+  const CompiledTexture* texture(const TexturePtr& description, bool no_bump_scale = false);
   const CompiledPigment* pigment(const PigmentPtr& description);
   const CompiledNormal* normal(const NormalPtr& description, bool no_bump_scale);  // null for null
 
@@ -44,7 +45,7 @@ class TextureCompiler {
 
   TextureSettings settings_;
   PatternSettings pattern_settings_;
-  Compiled<CompiledTexture> textures_;
+  Compiled<CompiledTexture> textures_[2];  // without and with an inherited no_bump_scale
   Compiled<CompiledPigment> pigments_;
   std::map<std::pair<const void*, bool>, std::unique_ptr<CompiledNormal>> normals_;
   // Descriptions that compiled forms refer to, and those whose addresses must not be used again.

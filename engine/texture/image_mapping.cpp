@@ -57,15 +57,15 @@ std::array<double, 4> bicubic_weights(double p) {
 
 std::array<double, 4> distance_weights(double p, double q) {
   const double p1 = 1 - p, q1 = 1 - q;
-  std::array<double, 4> w{1 / (p1 * p1 + q1 * q1), 1 / (p * p + q1 * q1), 1 / (p1 * p1 + q * q), 1 / (p * p + q * q)};
-  const double corner[4] = {p1 * p1 + q1 * q1, p * p + q1 * q1, p1 * p1 + q * q, p * p + q * q};
+  std::array<double, 4> w{p1 * p1 + q1 * q1, p * p + q1 * q1, p1 * p1 + q * q, p * p + q * q};  // squared distances
   // Exactly on a pixel's centre that pixel alone counts.
   for (std::size_t i = 0; i < 4; ++i)
-    if (corner[i] == 0) {
+    if (w[i] == 0) {
       w = {0, 0, 0, 0};
       w[i] = 1;
       return w;
     }
+  for (double& each : w) each = 1 / each;
   const double sum = w[0] + w[1] + w[2] + w[3];
   for (double& each : w) each /= sum;
   return w;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,7 +42,7 @@ inline int inner_index(int i, int size, bool once) {
   return i >= 0 && i < size ? i : ((i % size) + size) % size;
 }
 
-// Weighs the pixels around a position. `fetch(column, row)` yields the value of a pixel inside the image: a float or a Color.
+// Weighs the pixels around a position. `fetch(column, row)` yields the value of a pixel inside the image: a float, a double or a Color.
 template <class Fetch>
 auto interpolate_pixels(const ImageMapping& mapping, const dvec2& position, const Fetch& fetch) {
   const int width = mapping.image->width(), height = mapping.image->height();
@@ -51,22 +52,24 @@ auto interpolate_pixels(const ImageMapping& mapping, const dvec2& position, cons
   const double u = position.x + 0.5, v = position.y + 0.5;
   const int i = static_cast<int>(u), j = static_cast<int>(v);
   const double p = u - i, q = v - j;
+  // Colours and heights are weighed in single precision, numbers of textures in double.
+  using Weight = std::conditional_t<std::is_same_v<Value, double>, double, float>;
   Value sum{};
   if (mapping.interpolate == 3) {
     const auto wx = bicubic_weights(p), wy = bicubic_weights(q);
     for (int b = 0; b < 4; ++b) {
       Value row{};
-      for (int a = 0; a < 4; ++a) row += at(i - 2 + a, j - 2 + b) * static_cast<float>(wx[static_cast<std::size_t>(a)]);
-      sum += row * static_cast<float>(wy[static_cast<std::size_t>(b)]);
+      for (int a = 0; a < 4; ++a) row += at(i - 2 + a, j - 2 + b) * static_cast<Weight>(wx[static_cast<std::size_t>(a)]);
+      sum += row * static_cast<Weight>(wy[static_cast<std::size_t>(b)]);
     }
     return sum;
   }
   std::array<double, 4> w{p * q, (1 - p) * q, p * (1 - q), (1 - p) * (1 - q)};
   if (mapping.interpolate == 4) w = distance_weights(p, q);
-  sum += at(i, j) * static_cast<float>(w[0]);
-  sum += at(i - 1, j) * static_cast<float>(w[1]);
-  sum += at(i, j - 1) * static_cast<float>(w[2]);
-  sum += at(i - 1, j - 1) * static_cast<float>(w[3]);
+  sum += at(i, j) * static_cast<Weight>(w[0]);
+  sum += at(i - 1, j) * static_cast<Weight>(w[1]);
+  sum += at(i, j - 1) * static_cast<Weight>(w[2]);
+  sum += at(i - 1, j - 1) * static_cast<Weight>(w[3]);
   return sum;
 }
 

@@ -166,6 +166,25 @@ TEST(ImageMap, OnceCountsAsClearInsideAMap) {  // §11.1
   EXPECT_EQ(color, (Color{Rgb(1), 0, 1}));
 }
 
+// Indices 0 and 3, of which the interpolated one is truncated: measured with a palette of 16 random colours, whose numbers of textures are
+// those of POV-Ray at all of 1728 pixels, with each interpolation.
+TEST(MaterialMap, InterpolatesIndices) {  // §11.6
+  MaterialMap map;
+  const std::vector<Image::Pixel> palette(4, Image::Pixel{{0.9f, 0.5f, 0.1f}});
+  map.mapping.image = std::make_shared<Image>(2, 1, std::vector<std::uint8_t>{0, 3}, palette);
+  map.texture_count = 10;
+  EXPECT_EQ(value_at(body_of(map), {0.49, 0.5, 0}), 0);
+  EXPECT_EQ(value_at(body_of(map), {0.51, 0.5, 0}), 3);
+  map.mapping.interpolate = 2;  // 6 (x - 1/4)
+  EXPECT_EQ(value_at(body_of(map), {0.40, 0.5, 0}), 0);
+  EXPECT_EQ(value_at(body_of(map), {0.42, 0.5, 0}), 1);
+  EXPECT_EQ(value_at(body_of(map), {0.59, 0.5, 0}), 2);
+  map.texture_count = 2;
+  EXPECT_EQ(value_at(body_of(map), {0.7499, 0.5, 0}), 2);  // 2 is not above 2
+  map.texture_count = 1;
+  EXPECT_EQ(value_at(body_of(map), {0.7499, 0.5, 0}), 0);  // 2 mod 1
+}
+
 TEST(DensityFile, InterpolatesLikeTheReference) {  // C15
   std::string error;
   const auto volume = DensityVolume::parse({0, 3, 0, 1, 0, 1, 0, 255, 51}, error);

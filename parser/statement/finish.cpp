@@ -12,9 +12,6 @@ float optional_real(Reader& reader, float when_missing) {
   return value ? static_cast<float>(*value) : when_missing;
 }
 
-// Stored as its inverse; zero stays zero.
-float inverse_of(float exponent) { return exponent != 0 ? 1 / exponent : 0; }
-
 struct Albedo {
   bool diffuse = false, phong = false, specular = false;
 };
@@ -43,7 +40,7 @@ void parse_reflection_block(Reader& reader, Finish& finish) {
     } else if (reader.accept(Word::kFalloff)) {
       finish.reflection_falloff = real(reader);
     } else if (reader.accept(Word::kExponent)) {
-      finish.reflection_exponent = inverse_of(real(reader));
+      finish.reflection_exponent = 1 / real(reader);
     } else if (reader.accept(Word::kMetallic)) {
       finish.reflection_metallic = optional_real(reader, 1);
     } else {
@@ -97,7 +94,7 @@ bool accept_highlight(Reader& reader, Finish& finish, Albedo& albedo) {
   } else if (reader.accept(Word::kRoughness)) {
     const float roughness = real(reader);
     if (roughness == 0) reader.warning("Zero roughness used.");
-    finish.specular_exponent = inverse_of(roughness);
+    finish.specular_exponent = roughness == 0 ? 0 : 1 / roughness;
   } else if (reader.accept(Word::kMetallic)) {
     finish.metallic = optional_real(reader, 1);
   } else {
@@ -124,7 +121,7 @@ bool accept_item(Reader& reader, Finish& finish, Albedo& albedo) {
   else if (reader.accept(Word::kCrand)) finish.crand = real(reader);
   else if (reader.accept(Word::kConserveEnergy)) finish.conserve_energy = true;
   else if (reader.accept(Word::kReflection)) parse_reflection(reader, finish);
-  else if (reader.accept(Word::kReflectionExponent)) finish.reflection_exponent = inverse_of(real(reader));
+  else if (reader.accept(Word::kReflectionExponent)) finish.reflection_exponent = 1 / real(reader);
   else if (reader.accept(Word::kIrid)) parse_irid(reader, finish);
   else if (reader.accept(Word::kSubsurface)) parse_subsurface(reader, finish);
   else return accept_highlight(reader, finish, albedo) || accept_interior_value(reader, finish);

@@ -60,7 +60,7 @@ std::vector<Frame> frames_of(const RenderOptions& options) {
   int begin = options.subset_start ? subset_frame(*options.subset_start, first, last) : first;
   begin = std::max(begin, first);
   int end = options.subset_end ? subset_frame(*options.subset_end, first, last) : last - (options.cyclic ? 1 : 0);
-  end = std::min(std::max(end, begin), last);
+  end = std::max(end, begin);  // not held to the last frame, as in the reference: the clock runs on
   std::vector<Frame> frames;
   for (int n = begin; n <= end; n += options.frame_step) {
     const double clock = delta * (n - first) + options.initial_clock;

@@ -49,6 +49,14 @@ TEST(Frames, SubsetsByFraction) {
   EXPECT_THAT(numbers(options), ElementsAre(4, 5, 6, 7));
 }
 
+// POV-Ray renders frames 1...9 with +KFI1 +KFF5 +SF0 +EF9.
+TEST(Frames, SubsetEndsBeyondTheLastFrame) {
+  RenderOptions options = animation(5);
+  options.subset_start = 0;
+  options.subset_end = 9;
+  EXPECT_THAT(numbers(options), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9));
+}
+
 TEST(Frames, Steps) {
   RenderOptions options = animation(7);
   options.frame_step = 3;

@@ -32,14 +32,14 @@ ChildTree CsgSolid::set_boxes() {
   inside_box = clipped;
   for (int round = 0; round < kRounds; ++round) {
     const Aabb before = inside_box;
-    inside_box = inside_within(before);
+    inside_box = narrowed(before);
     if (!all_children_needed() || (before.lo == inside_box.lo && before.hi == inside_box.hi)) break;
   }
   std::vector<Aabb> ray_boxes, all_boxes;
   std::vector<bool> boxed;
   for (const auto& child : children_) {
     const Aabb region = all_children_needed() ? inside_box : clipped;
-    ray_boxes.push_back(child->hits_within(region));
+    ray_boxes.push_back(all_children_needed() ? child->hits_inside(region) : child->hits_within(region));
     box.join(ray_boxes.back());
     boxed.push_back(!is_cheap(*child) || ray_boxes.back().volume() < 0.5 * child->box().volume());
     all_boxes.push_back(ray_boxes.back());
@@ -79,13 +79,31 @@ Aabb CsgSolid::outside_bounds() const {
 }
 
 Aabb CsgSolid::hits_within(const Aabb& region) const {
-  const Aabb limits = (all_children_needed() ? inside_within(region) : region).intersection(boxes_->hits);
+  if (all_children_needed()) return hits_inside(inside_within(region));
+  const Aabb limits = region.intersection(boxes_->hits);
   Aabb result;
   for (const auto& child : children_) result.join(child->hits_within(limits));
   return result.intersection(limits);
 }
 
+// What is inside of this is inside of its children too, and has been made smaller by theirs: once is enough, or the time would be
+// cubic in the depth.
+Aabb CsgSolid::hits_inside(const Aabb& region) const {
+  if (!all_children_needed()) return hits_within(region);
+  const Aabb limits = region.intersection(boxes_->hits);
+  Aabb result;
+  for (const auto& child : children_) result.join(child->hits_inside(limits));
+  return result.intersection(limits);
+}
+
 Aabb CsgSolid::inside_within(const Aabb& region) const {
+  const Aabb& own = boxes_->inside;
+  const Aabb both = region.intersection(own);
+  if (both.lo == own.lo && both.hi == own.hi) return own;  // nothing new
+  return narrowed(region);
+}
+
+Aabb CsgSolid::narrowed(const Aabb& region) const {
   const Aabb limits = inside_all_within(clips_, region.intersection(boxes_->inside));
   Aabb result = all_children_needed() ? limits : Aabb();
   for (const auto& child : children_) {

@@ -43,6 +43,7 @@ class CsgSolid final : public Solid {
   void leaves(std::vector<const Leaf*>& out) const override;
   Aabb hits_within(const Aabb& region) const override;
   Aabb inside_within(const Aabb& region) const override;
+  Aabb hits_inside(const Aabb& region) const override;
   Aabb outside_bounds() const override;
 
   // The textures of an untextured surface point under cutaway_textures (§6.5). Appends nothing where the surface is black.
@@ -55,6 +56,7 @@ class CsgSolid final : public Solid {
   bool in_clips(const dvec3& point) const;
   bool meets_bounds(const Ray& ray) const;
   ChildTree set_boxes();
+  Aabb narrowed(const Aabb& region) const;
   ChildTree refusals() const;
   bool inside_child(std::size_t child, const dvec3& point) const {
     return leaves_[child] != nullptr ? leaves_[child]->inside_shape(point) : children_[child]->inside(point);

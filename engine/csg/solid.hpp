@@ -104,6 +104,8 @@ class Solid {
   // Boxes around the hits and around the points accepted by inside() that lie in `region`; within box() and inside_box().
   virtual Aabb hits_within(const Aabb& region) const = 0;
   virtual Aabb inside_within(const Aabb& region) const = 0;
+  // hits_within for a region that inside_within has made, which is not to be made smaller by the same means again.
+  virtual Aabb hits_inside(const Aabb& region) const { return hits_within(region); }
   // Box around the points that inside() refuses: finite for what was inverted, the cutters of a difference.
   virtual Aabb outside_bounds() const { return Aabb::infinite(); }
 

@@ -80,13 +80,28 @@ ParsedValue parse_value(Session& session, ValueUse use) {
 
 namespace {
 
-void check_element_type(Session& session, const Array& array, const Value& value) {
-  for (const Value& element : array.elements) {
-    if (element.empty()) continue;
-    if (type_code(element) == type_code(value)) return;
-    session.fail("Attempted to redefine " + std::string(type_name(element)) + " as " + std::string(type_name(value)) + ".",
-                 "element-type");
+// A value of the type that has this code.
+template <std::size_t... kIndex>
+Value any_of_type(std::size_t code, std::index_sequence<kIndex...>) {
+  Value value{Number()};
+  if (code <= 5) {
+    Number number;
+    number.count = static_cast<int>(code);
+    return number;
   }
+  ((type_code(Value(std::in_place_index<kIndex>)) == code ? void(value = Value(std::in_place_index<kIndex>)) : void()), ...);
+  return value;
+}
+
+void check_element_type(Session& session, const Array& array, const Value& value) {
+  const auto set = std::ranges::find_if(array.elements, [](const Value& element) { return !element.empty(); });
+  // An array whose elements are all undefined again still knows what they were.
+  const Value known = set != array.elements.end()
+                          ? *set
+                          : any_of_type(array.type, std::make_index_sequence<std::variant_size_v<ValueVariant>>());
+  if (type_code(known) == type_code(value)) return;
+  session.fail("Attempted to redefine " + std::string(type_name(known)) + " as " + std::string(type_name(value)) + ".",
+               "element-type");
 }
 
 constexpr int kMostArrayNesting = 100;

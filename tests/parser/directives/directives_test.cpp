@@ -117,6 +117,11 @@ TEST(Array, ElementsWithoutValueCannotBeUndefined) {
 TEST(Array, KeepsItsElementType) {
   EXPECT_EQ(error_of("#declare A=array[2] #declare A[0]=1; #declare A[1]=<1,2,3>;"),
             "Attempted to redefine float identifier as vector identifier.");
+  EXPECT_EQ(error_of("#declare A=array[2]; #declare A[0]=1; #undef A[0] #declare A[1]=<1,2,3>;"),
+            "Attempted to redefine float identifier as vector identifier.")
+      << "also when no element is left";
+  EXPECT_EQ(error_of("#declare A=array[1] #declare A[0]=\"a\" #undef A[0] #declare A[0]=1;"),
+            "Attempted to redefine string identifier as float identifier.");
   EXPECT_NE(error_of("#declare A=array[3]{1,2}"), "");
   EXPECT_NE(error_of("#declare A=array[1]{1,2}"), "");
   EXPECT_EQ(values("#declare A=array[2]{1,2} #declare B=A; #declare B[0]=9; P(A[0]) P(dimensions(B))"), "1.000000\n1.000000\n");

@@ -1,6 +1,7 @@
 // String expressions: literals, identifiers and the functions that make strings. Source: specification chapter 10 §1.3, §8.4.
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 
@@ -83,9 +84,11 @@ std::u16string parse_concat(Session& session, bool file_name) {
   constexpr std::size_t kMostUnits = 1u << 28;
   while (!session.reader.at(TokenKind::kRightParen)) {
     session.reader.comma();
-    text += parse_string(session, file_name);
-    if (text.size() > kMostUnits) session.fail("The string is too long.", "limit-memory");
-    session.resources.charge(text.size() * sizeof(char16_t));
+    const std::u16string next = parse_string(session, file_name);
+    if (text.size() + next.size() > kMostUnits) session.fail("The string is too long.", "limit-memory");
+    session.resources.charge((text.size() + next.size()) * sizeof(char16_t));
+    text.reserve(text.size() + next.size());
+    text += next;
   }
   return text;
 }
@@ -93,7 +96,7 @@ std::u16string parse_concat(Session& session, bool file_name) {
 std::u16string parse_chr(Session& session) {
   const std::int32_t code = to_int32(float_argument(session, Level::kFull));
   if (code < 0 || code > 65535) session.fail("Value " + std::to_string(code) + " cannot be used in chr(...).", "chr");
-  return std::u16string(1, static_cast<char16_t>(code));
+  return std::u16string(code == 0 ? 0 : 1, static_cast<char16_t>(code));  // a 0 ends a string
 }
 
 std::u16string parse_substr(Session& session) {
@@ -114,9 +117,19 @@ std::u16string parse_datetime(Session& session) {
   if (format.empty()) session.fail("Empty format string.", "datetime");
   if (format.size() > 200) session.fail("Format string too long.", "datetime");
   constexpr double kSecondsTo2000 = 946684800.0;
-  const auto time = static_cast<std::time_t>(std::floor(days * 86400.0 + kSecondsTo2000 + 0.5));
+  const double seconds = std::floor(days * 86400.0 + kSecondsTo2000 + 0.5);
+  const bool countable = std::abs(seconds) < 0x1p63;  // anything else is 1970 in the reference
+  const std::time_t time = countable ? static_cast<std::time_t>(seconds) : 0;
   std::tm parts{};
-  gmtime_r(&time, &parts);
+  const bool has_date = gmtime_r(&time, &parts) != nullptr;
+  constexpr int kFirst = 1400 - 1900, kLast = 9999 - 1900;  // as a tm counts
+  if (!has_date || parts.tm_year < kFirst || parts.tm_year > kLast) {
+    session.fail("Year is out of valid range: 1400..9999", "datetime");
+  }
+  for (std::size_t at = 0; (at = format.find('%', at)) != format.npos;) {  // no names of time zones
+    const bool zone = at + 1 < format.size() && (format[at + 1] == 'Z' || format[at + 1] == 'z');
+    zone ? void(format.erase(at, 2)) : void(at += 2);
+  }
   std::array<char, 1024> text{};
   const std::size_t length = std::strftime(text.data(), text.size(), format.c_str(), &parts);
   return from_bytes(std::string_view(text.data(), length));
@@ -138,7 +151,11 @@ std::u16string parse_string(Session& session, bool file_name) {
   if (item.is(TokenKind::kString)) {
     return decode_literal(session, session.files[item.file]->strings[item.token.index], !file_name);
   }
-  if (item.is(TokenKind::kIdentifier)) return **item.slot->get_if<String>();
+  if (item.is(TokenKind::kIdentifier)) {
+    const String& text = *item.slot->get_if<String>();
+    session.resources.charge(text->size() * sizeof(char16_t));
+    return *text;
+  }
 
   const Nesting nesting(session);
   const TokenStream::AfterOperand allowed(session.stream, true);

@@ -47,6 +47,9 @@ namespace {
 char16_t decode_character(Session& session, const std::string& raw, std::size_t& i) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned>(static_cast<unsigned char>(raw[k])); };
   const unsigned lead = byte(i);
+  if (session.language.charset == Reader::Charset::kSystem) {
+    session.fail("Cannot convert system specific text format to Unicode.", "character");
+  }
   if (session.language.charset != Reader::Charset::kUtf8) {
     ++i;
     if (session.language.version < 350) return static_cast<char16_t>(lead);
@@ -56,11 +59,14 @@ char16_t decode_character(Session& session, const std::string& raw, std::size_t&
   const int more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : lead >= 0xC0 ? 1 : 0;
   unsigned code = more == 3 ? lead & 7u : more == 2 ? lead & 15u : lead & 31u;
   ++i;
-  for (int k = 0; k < more; ++k, ++i) {
-    if (i >= raw.size() || (byte(i) & 0xC0) != 0x80) return 0xFFFD;
-    code = code << 6 | (byte(i) & 0x3F);
+  bool valid = more > 0;
+  for (int k = 0; k < more; ++k) {  // as in the reference the first byte says how many are taken, whatever they are
+    const bool follows = i < raw.size() && (byte(i) & 0xC0) == 0x80;
+    valid = valid && follows;
+    if (follows) code = code << 6 | (byte(i) & 0x3F);
+    if (i < raw.size()) ++i;
   }
-  if (more == 0 || code > 0xFFFF) return 0xFFFD;
+  if (!valid || code > 0xFFFF) return 0xFFFD;
   return static_cast<char16_t>(code);
 }
 
@@ -113,10 +119,13 @@ std::u16string decode_literal(Session& session, const std::string& raw, bool esc
       text += decode_character(session, raw, i);
     } else if (escapes && raw[i] == '\\') {
       text += decode_escape(session, raw, i);
+    } else if (raw[i] == '\r' && i + 1 < raw.size() && raw[i + 1] == '\n') {
+      ++i;  // a line end is one character, whatever system the file is from
     } else {
       text += static_cast<char16_t>(raw[i++]);
     }
   }
+  if (const std::size_t end = text.find(u'\0'); end != text.npos) text.resize(end);  // as in the reference a 0 ends a string
   return text;
 }
 

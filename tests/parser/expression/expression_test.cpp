@@ -68,6 +68,29 @@ TEST(Expression, ComparesStrings) {
   EXPECT_EQ(float_text("strcmp(\"\",\"a\")", 0), "-97");
   EXPECT_EQ(float_text("val(\"0x1f\")", 0), "31");
   EXPECT_EQ(printed("#debug concat(datetime(0),\"\\n\")"), "2000-01-01 00:00:00Z\n");
+  // Measured with POV-Ray 3.7.
+  EXPECT_EQ(printed("#debug concat(datetime(1/0),\"\\n\")"), "1970-01-01 00:00:00Z\n");
+  EXPECT_EQ(printed("#debug concat(datetime(1e6),\"\\n\")"), "4737-11-28 00:00:00Z\n");
+  EXPECT_EQ(error_of("#debug datetime(-1e6)"), "Year is out of valid range: 1400..9999");
+  EXPECT_EQ(error_of("#debug datetime(1e7)"), "Year is out of valid range: 1400..9999");
+  EXPECT_EQ(printed("#debug concat(datetime(0,\"%Z|%z|%Y%%Z\"),\"\\n\")"), "||2000%Z\n");
+}
+
+// The lengths were printed by POV-Ray 3.7.
+TEST(Expression, TextIsAsLongAsInTheReference) {
+  EXPECT_EQ(float_text("strlen(chr(0))", 0), "0");
+  EXPECT_EQ(float_text("strlen(concat(\"a\", chr(0), \"b\"))", 0), "2");
+  EXPECT_EQ(float_text("strlen(\"x\\u0000y\")", 0), "1");
+  EXPECT_EQ(float_text("strlen(\"a\r\nb\rc\nd\")", 0), "7");
+  const auto utf8_length = [](const std::string& bytes) {
+    return printed("global_settings { charset utf8 } #debug concat(str(strlen(\"" + bytes + "\"), 0, 0), \"\\n\")");
+  };
+  EXPECT_EQ(utf8_length("a\xe9" "bcde"), "4\n");
+  EXPECT_EQ(utf8_length("a\xc3" "bcde"), "5\n");
+  EXPECT_EQ(utf8_length("a\xf0" "bcdef"), "4\n");
+  EXPECT_EQ(utf8_length("a\xe2\x82"), "2\n");
+  EXPECT_EQ(utf8_length("a\x80\x80z"), "4\n");
+  EXPECT_EQ(error_of("global_settings { charset sys } #debug \"\xe9\""), "Cannot convert system specific text format to Unicode.");
 }
 
 TEST(Colour, FillsComponentsByItsForm) {

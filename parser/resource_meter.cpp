@@ -60,9 +60,15 @@ void ResourceMeter::charge(std::uint64_t bytes) {
   if (charged_ >= kChargeBetweenChecks) check_memory(bytes);
 }
 
+void ResourceMeter::reserve(double bytes) {
+  require(static_cast<double>(reserved_) + bytes);
+  reserved_ += static_cast<std::uint64_t>(bytes);
+  charge(static_cast<std::uint64_t>(bytes));
+}
+
 void ResourceMeter::check_memory(std::uint64_t wanted) {
   charged_ = 0;
-  if (resident_bytes() + wanted > memory_limit_) fail_memory();
+  if (resident_bytes() + reserved_ + wanted > memory_limit_) fail_memory();
 }
 
 void ResourceMeter::fail_turns() {

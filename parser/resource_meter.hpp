@@ -22,6 +22,12 @@ class ResourceMeter {
   }
   // Called before this much is allocated at the scene's wish.
   void charge(std::uint64_t bytes);
+  // This much will be needed beside what the process has when the scene is read.
+  void reserve(double bytes);
+  // Fails if so much cannot be had at all.
+  void require(double bytes) {
+    if (bytes > static_cast<double>(memory_limit_)) fail_memory();
+  }
 
   std::uint64_t memory_limit() const { return memory_limit_; }
 
@@ -36,6 +42,7 @@ class ResourceMeter {
   std::uint64_t memory_limit_;
   std::uint64_t tokens_ = 0, turns_ = 0, next_check_;
   std::uint64_t charged_ = 0;  // since memory was measured last
+  std::uint64_t reserved_ = 0;
 };
 
 // Memory that the process holds, in bytes.

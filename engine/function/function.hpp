@@ -3,6 +3,7 @@
 // Source: specification chapters 10 §11 and 21 §11.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -20,6 +21,8 @@ class Function {
   int parameter_count() const { return parameters_; }
   int result_count() const { return results_; }
   bool is_vector() const { return results_ > 1; }
+  std::uint32_t depth() const { return depth_; }  // of functions, pigments and objects that ask each other, this one included
+  double work() const { return work_; }  // how many functions one evaluation may call; a turn of a loop counts once
 
   // `arguments` has parameter_count() values, `results` room for result_count(). Domain problems are NaN. Throws only EndlessFunction.
   virtual void evaluate(const double* arguments, double* results) const = 0;
@@ -36,10 +39,16 @@ class Function {
   }
 
  protected:
-  Function(int parameters, int results) : parameters_(parameters), results_(results) {}
+  Function(int parameters, int results, std::uint32_t depth = 1) : parameters_(parameters), results_(results), depth_(depth) {}
+  void set_calls(std::uint32_t depth, double work) {
+    depth_ = depth;
+    work_ = work;
+  }
 
  private:
   int parameters_, results_;
+  std::uint32_t depth_;
+  double work_ = 0;
 };
 using FunctionPtr = std::shared_ptr<const Function>;
 

@@ -15,17 +15,17 @@ struct OpenLoops {
   int depth = 0;
   double turns = 0;
 
-  void enter(double from, double to) {
+  void enter(double from, double to, double calls) {
     if (!(from <= to)) {
       ++depth;
       return;
     }
     constexpr double kLargestCounted = 4503599627370496;  // adding 1 changes what is smaller
     if (depth == 0) turns = 0;
-    turns += to - from;
+    turns += to - from + calls;
     if (!(turns <= kMostTurns) || from < -kLargestCounted || to > kLargestCounted) {
       depth = 0;
-      throw EndlessFunction();
+      throw calls > 0 ? EndlessFunction::calls() : EndlessFunction::loops();
     }
     ++depth;
   }
@@ -63,7 +63,7 @@ void Program::evaluate(const double* arguments, double* results) const {
       case Op::kJumpUnlessNegative: if (!(r[i.a] < 0)) pc = i.jump; break;
       case Op::kJumpUnlessZero: if (!(r[i.a] == 0)) pc = i.jump; break;
       case Op::kJumpUnlessLessEqual: if (!(r[i.a] <= r[i.b])) pc = i.jump; break;
-      case Op::kEnterLoop: open_loops.enter(r[i.a], r[i.b]); break;
+      case Op::kEnterLoop: open_loops.enter(r[i.a], r[i.b], i.jump); break;
       case Op::kLeaveLoop: --open_loops.depth; break;
     }
   }
@@ -85,6 +85,9 @@ class ProgramEmitter {
   Program emit(ExpressionBuilder::Node root) {
     program_.result_ = node(root);
     program_.register_count_ = next_register_;
+    std::uint32_t depth = 0;
+    for (const FunctionPtr& callee : program_.callees_) depth = std::max(depth, callee->depth());
+    program_.set_calls(depth + 1, work_);
     return std::move(program_);
   }
 
@@ -146,6 +149,13 @@ class ProgramEmitter {
     move(target, node(n));
     forget(mark);
   }
+  // The same for one of several branches: the costliest one counts.
+  void branch(Node n, Register target, double before, double& most) {
+    work_ = 0;
+    inside(n, target);
+    most = std::max(most, work_);
+    work_ = before + most;
+  }
   void forget(std::size_t mark) {
     for (; learnt_.size() > mark; learnt_.pop_back()) registers_.erase(learnt_.back());
   }
@@ -195,18 +205,20 @@ class ProgramEmitter {
   Register select(const ExpressionBuilder::Data& data) {
     const Register value = node(data.inputs[0]);
     const Register target = new_register();
+    const double before = work_;
+    double most = 0;
     const std::size_t not_negative = jump(Op::kJumpUnlessNegative, value);
-    inside(data.inputs[1], target);
+    branch(data.inputs[1], target, before, most);
     const std::size_t done_negative = jump(Op::kJump);
     land(not_negative);
     if (data.inputs[2] == data.inputs[3]) {
-      inside(data.inputs[3], target);
+      branch(data.inputs[3], target, before, most);
     } else {
       const std::size_t not_zero = jump(Op::kJumpUnlessZero, value);
-      inside(data.inputs[2], target);
+      branch(data.inputs[2], target, before, most);
       const std::size_t done_zero = jump(Op::kJump);
       land(not_zero);
-      inside(data.inputs[3], target);
+      branch(data.inputs[3], target, before, most);
       land(done_zero);
     }
     land(done_negative);
@@ -240,12 +252,22 @@ class ProgramEmitter {
     for (const Node input : data.inputs) values.push_back(node(input));
     const auto first = static_cast<Register>(next_register_);
     for (const Register value : values) move(new_register(), value);  // arguments side by side
-    return push(Op::kCall, data.detail, first, static_cast<Register>(data.index));
+    // What calls much is counted with the loops.
+    constexpr double kMuch = 1000;
+    const double calls = 1 + builder_.callees_[data.index]->work();
+    work_ += calls;
+    if (calls < kMuch) return push(Op::kCall, data.detail, first, static_cast<Register>(data.index));
+    const Register zero = constant_register(0);
+    program_.code_[jump(Op::kEnterLoop, zero, zero)].jump = static_cast<std::uint32_t>(std::min(calls, 4e9));
+    const Register result = push(Op::kCall, data.detail, first, static_cast<Register>(data.index));
+    jump(Op::kLeaveLoop);
+    return result;
   }
 
   const ExpressionBuilder& builder_;
   Program program_;
   std::size_t next_register_ = 0;
+  double work_ = 0;  // calls emitted so far, as Function::work() counts them
   std::unordered_map<Node, Register> registers_;
   std::vector<Node> learnt_;
   std::unordered_map<std::uint32_t, Register> locals_;

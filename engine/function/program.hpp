@@ -32,11 +32,16 @@ enum class BinaryOp : std::uint8_t {
 double apply(UnaryOp op, double a);
 double apply(BinaryOp op, double a, double b);
 
-// The loops of sum() and prod(), one inside the other, would turn more often than this: a mistake, not a value.
+// The loops of sum() and prod(), one inside the other, would turn more often than this, or functions call each other as often: a
+// mistake, not a value.
 constexpr double kMostTurns = 1e9;
 class EndlessFunction : public std::range_error {
  public:
-  EndlessFunction() : std::range_error("sum() or prod() of a function turns more than 1000000000 times.") {}
+  static EndlessFunction loops() { return EndlessFunction("sum() or prod() of a function turns more than 1000000000 times."); }
+  static EndlessFunction calls() { return EndlessFunction("Functions call each other more than 1000000000 times."); }
+
+ private:
+  using std::range_error::range_error;
 };
 
 // evaluate() throws EndlessFunction.
@@ -52,7 +57,7 @@ class Program final : public Function {
   explicit Program(int parameters) : Function(parameters, 1) {}
   enum class Op : std::uint8_t {
     kUnary, kBinary, kMove, kCall, kJump, kJumpUnlessNegative, kJumpUnlessZero, kJumpUnlessLessEqual,
-    kEnterLoop,  // from a to b
+    kEnterLoop,  // from a to b, with `jump` calls
     kLeaveLoop
   };
   struct Instruction {

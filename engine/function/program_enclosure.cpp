@@ -47,8 +47,9 @@ class Program::Enclosing {
     return true;
   }
 
- private:
   static constexpr int kMostSteps = 4000;  // loops and branches within branches
+
+ private:
 
   static Enclosure condition(const Instruction& i, const std::vector<Enclosure>& r) {
     switch (i.op) {
@@ -63,6 +64,7 @@ class Program::Enclosing {
 };
 
 bool Program::enclose(const Enclosure* arguments, Enclosure& result) const {
+  if (work() > Enclosing::kMostSteps) return false;  // its calls alone are more
   thread_local std::vector<std::vector<Enclosure>> spare;  // programs call programs
   std::vector<Enclosure> registers;
   if (!spare.empty()) {

@@ -22,11 +22,21 @@ using ObjectPtr = std::shared_ptr<const Object>;
 
 enum class CsgOperation : std::uint8_t { kUnion, kMerge, kIntersection, kDifference, kLightGroup };
 
+// What objects are made of, with all that is in their parts: known without a walk through them, of which there may be more than fit
+// into any memory (an object can be twice in a union that is twice in a union ...). See engine/scene/contents.hpp.
+struct Contents {
+  std::uint32_t depth = 0;       // of objects, textures and functions inside each other
+  double leaves = 0;             // shapes and lights, as often as they are met
+  bool textured = false;
+  bool media_densities = false;  // in an interior
+};
+
 struct Csg {
   CsgOperation operation = CsgOperation::kUnion;
   std::vector<ObjectPtr> children;  // in the order written; of a difference all but the first are cutters
   bool split_union = true;
   bool cutaway_textures = false;
+  Contents contents;  // of the children
 };
 
 // What few objects have: together behind one pointer, so that the many do without.
@@ -36,6 +46,7 @@ struct ObjectExtras {
   InteriorPtr interior;
   std::vector<ObjectPtr> clipped_by;  // at their final place in this object's parent space
   std::vector<ObjectPtr> bounded_by;
+  Contents limits;                    // of the clips and bounds
   std::optional<bool> global_lights;  // light_group and what it passes down
   std::optional<bool> photon_refraction, photon_reflection;
   bool photon_target = false, photon_pass_through = false, photon_collect = true;

@@ -65,6 +65,7 @@ struct Pigment {
   // pattern's default colours, see default_color_map().
   std::variant<std::monostate, Color, ColorMap, PigmentMap> map;
   std::optional<Color> quick_color;
+  std::uint32_t depth = 1;  // of pigments, functions and objects inside each other, this one included
   SourceLocation where;
 };
 
@@ -74,6 +75,7 @@ struct Normal {
   float accuracy = 0.02f;
   bool no_bump_scale = false;
   std::variant<std::monostate, NormalMap, SlopeMap> map;
+  std::uint32_t depth = 1;  // as of a pigment
   SourceLocation where;
 };
 
@@ -94,6 +96,7 @@ struct Texture {
   // Layers from the bottom (first written) to the top; or a patterned texture, which is always alone.
   std::variant<std::vector<TextureLayer>, PatternedTexture> content;
   bool no_bump_scale = false;
+  std::uint32_t depth = 1;  // as of a pigment
   SourceLocation where;
 };
 

@@ -1,5 +1,6 @@
 #include "engine/texture/texture_functions.hpp"
 
+#include "engine/scene/contents.hpp"
 #include "engine/texture/texture_compiler.hpp"
 
 namespace lute {
@@ -18,7 +19,7 @@ const SurfaceContext kNoSurface;
 class PigmentFunction final : public Function {
  public:
   PigmentFunction(const PigmentPtr& pigment, const TextureSettings& settings)
-      : Function(3, 5), compiler_(settings), pigment_(compiler_.pigment(pigment)) {}
+      : Function(3, 5, pigment->depth + 1), compiler_(settings), pigment_(compiler_.pigment(pigment)) {}
 
   void evaluate(const double* arguments, double* results) const override {
     Color c;
@@ -38,7 +39,7 @@ class PigmentFunction final : public Function {
 class PatternFunction final : public Function {
  public:
   PatternFunction(const PatternBody& body, const TextureSettings& settings)
-      : Function(3, 1), compiler_(settings), pattern_(body, compiler_) {}
+      : Function(3, 1, depth_of(body) + 1), compiler_(settings), pattern_(body, compiler_) {}
 
   void evaluate(const double* arguments, double* results) const override {
     results[0] = pattern_.value(pattern_.warp({arguments[0], arguments[1], arguments[2]}), kNoSurface);

@@ -130,6 +130,9 @@ FunctionPtr parse_function(Session& session, bool parameters_allowed) {
     }
   }
   session.reader.close(Word::kFunction);
+  if (const std::size_t most = session.options.limits.depth; function->depth() > most) {
+    session.fail("Functions call each other too deeply: the limit is " + std::to_string(most) + ".", "limit-depth");
+  }
   return function;
 }
 

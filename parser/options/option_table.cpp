@@ -102,6 +102,7 @@ const OptionRow kOptions[] = {
     {"", "", "max-memory",  Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.limits.memory_bytes = count(v) << 20; }, "in MB, while the scene is read (3/4 of the machine's)"},
     {"", "", "max-file-size", Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.limits.file_bytes = std::min(count(v) << 20, o.limits.file_bytes); }, "of each file that is read, in MB (4096)"},
     {"", "", "max-nesting", Kind::kInteger, Tail::kNothing, [](O& o, const V& v) { o.limits.nesting = static_cast<std::size_t>(std::clamp(v.integer, 1, 2000)); }, "parentheses and calls in each other, up to 2000 (200)"},
+    {"", "", "max-depth",   Kind::kInteger, Tail::kNothing, [](O& o, const V& v) { o.limits.depth = static_cast<std::size_t>(std::clamp(v.integer, 1, 2000)); }, "declared objects, textures and functions in each other, up to 2000 (1000)"},
     {"", "", "max-blocks",  Kind::kInteger, Tail::kNothing, [](O& o, const V& v) { o.limits.blocks = static_cast<std::size_t>(std::clamp(v.integer, 1, 1000)); }, "braces in each other, up to 1000 (1000)"},
 
     // The scene.

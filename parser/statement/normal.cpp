@@ -88,7 +88,7 @@ NormalPtr parse_normal_items(Reader& reader, const NormalPtr& base) {
   require_complete_pattern(reader, normal.body);
   if (std::holds_alternative<Average>(normal.body.pattern) && !std::holds_alternative<NormalMap>(normal.map))
     reader.error("Average must have map.");
-  return std::make_shared<const Normal>(std::move(normal));
+  return shared(reader, std::move(normal));
 }
 
 NormalPtr parse_normal(Reader& reader, const NormalPtr& base) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/scene/contents.hpp"
 #include "parser/statement/light.hpp"
 #include "parser/statement/object_edit.hpp"
 #include "parser/statement/object_modifier.hpp"
@@ -34,7 +35,7 @@ const Primitive* find_primitive(Word word) {
 ObjectPtr finished(Reader& reader, Object object, Word keyword) {
   parse_object_modifiers(reader, object);
   reader.close(keyword);
-  return std::make_shared<const Object>(std::move(object));
+  return shared(reader, std::move(object));
 }
 
 // `keyword { IDENTIFIER modifiers }`, whatever the type of the object: the brace was read.
@@ -77,6 +78,7 @@ ObjectPtr parse_csg(Reader& reader, Word keyword, CsgOperation operation) {
   Csg csg;
   csg.operation = operation;
   csg.children = parse_members(reader, operation);
+  csg.contents = contents_of(csg.children);
   object.no_shadow = operation == CsgOperation::kUnion && casts_no_shadow(csg.children);
   object.geometry = Shared(std::move(csg));
   return finished(reader, std::move(object), keyword);
@@ -108,7 +110,7 @@ ObjectPtr parse_light(Reader& reader) {
   light.where = where;
   reader.close(Word::kLightSource);
   object.geometry = Shared(std::move(light));
-  return std::make_shared<const Object>(std::move(object));
+  return shared(reader, std::move(object));
 }
 
 // photons { ... } of a light_group hold for the group as for an object.
@@ -120,10 +122,11 @@ ObjectPtr parse_light_group(Reader& reader) {
   group.operation = CsgOperation::kLightGroup;
   while (const auto member = accept_object(reader))
     if (!is_absent(**member)) group.children.push_back(*member);
+  group.contents = contents_of(group.children);
   object.geometry = Shared(std::move(group));
   parse_light_group_items(reader, object);
   reader.close(Word::kLightGroup);
-  return std::make_shared<const Object>(std::move(object));
+  return shared(reader, std::move(object));
 }
 
 }  // namespace

@@ -23,8 +23,7 @@ bool holds_media_densities(const Object& object) {
   const InteriorPtr& interior = object.extras->interior;
   if (interior != nullptr && std::ranges::any_of(interior->media, [](const auto& media) { return !media->densities.empty(); }))
     return true;
-  const Csg* csg = object.csg();
-  return csg != nullptr && std::ranges::any_of(csg->children, [](const ObjectPtr& child) { return holds_media_densities(*child); });
+  return object.csg() != nullptr && object.csg()->contents.media_densities;
 }
 
 void move_media(Object& object, const Transform& transform);
@@ -101,8 +100,7 @@ bool is_light(const Object& object) { return object.light() != nullptr; }
 
 bool carries_texture(const Object& object) {
   if (object.texture.texture != nullptr) return true;
-  const Csg* csg = object.csg();
-  return csg != nullptr && std::ranges::any_of(csg->children, [](const ObjectPtr& child) { return carries_texture(*child); });
+  return object.csg() != nullptr && object.csg()->contents.textured;
 }
 
 std::optional<CsgOperation> effective_operation(const Object& object) {

@@ -1,8 +1,11 @@
 #include "parser/statement/object_modifier.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
+#include "engine/scene/contents.hpp"
+#include "parser/session.hpp"
 #include "parser/statement/interior.hpp"
 #include "parser/statement/object.hpp"
 #include "parser/statement/object_edit.hpp"
@@ -20,9 +23,25 @@ struct Modifiers {
   bool clips_linked = false, bounds_linked = false;
 };
 
+// Changes that reach the parts of an object make all of them anew, also those that it shares with others.
+void charge_parts(Reader& reader, double count) {
+  constexpr double kMost = 1e18;  // bytes, far from what any machine has
+  constexpr double kPart = sizeof(Object) + sizeof(ObjectExtras);
+  reader.session().resources.charge(static_cast<std::uint64_t>(std::min(count * kPart, kMost)));
+}
+void charge_parts(Reader& reader, const Object& object) {
+  if (object.csg() != nullptr) charge_parts(reader, object.csg()->contents.leaves);
+}
+// By a transformation: parts with media, clips and bounds.
+void charge_moved(Reader& reader, const Object& object) {
+  if (object.csg() != nullptr && object.csg()->contents.media_densities) charge_parts(reader, object);
+  if (!object.extras.is_default() && object.extras->limits.leaves > 0) charge_parts(reader, object.extras->limits.leaves);
+}
+
 bool accept_object_transformation(Reader& reader, Object& object) {
   const auto transform = accept_transformation(reader);
   if (!transform) return false;
+  charge_moved(reader, object);
   transform_object(object, *transform);
   return true;
 }
@@ -77,6 +96,14 @@ void append(std::vector<ObjectPtr>& to, std::vector<ObjectPtr> from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
+Contents contents_of_limits(const ObjectExtras& extras) {
+  Contents limits = contents_of(extras.clipped_by);
+  const Contents bounds = contents_of(extras.bounded_by);
+  limits.depth = std::max(limits.depth, bounds.depth);
+  limits.leaves += bounds.leaves;
+  return limits;
+}
+
 void parse_clipped_by(Reader& reader, Modifiers& m) {
   ObjectExtras& extras = m.object.extras.edit();
   reader.open(Word::kClippedBy);
@@ -88,6 +115,7 @@ void parse_clipped_by(Reader& reader, Modifiers& m) {
     if (m.clips_linked) reader.error("Cannot add clips after linking bounds and clips.");
     append(extras.clipped_by, parse_limits(reader));
   }
+  extras.limits = contents_of_limits(extras);
   reader.close(Word::kClippedBy);
 }
 
@@ -102,6 +130,7 @@ void parse_bounded_by(Reader& reader, Modifiers& m) {
     if (m.bounds_linked) reader.error("Cannot add bounds after linking bounds and clips.");
     append(extras.bounded_by, parse_limits(reader));
   }
+  extras.limits = contents_of_limits(extras);
   reader.close(Word::kBoundedBy);
 }
 
@@ -136,6 +165,7 @@ bool accept_flag(Reader& reader, Object& object) {
   } else if (reader.accept(Word::kNoRadiosity)) {
     object.no_radiosity = reader.optional_flag();
   } else if (reader.accept(Word::kDoubleIlluminate)) {
+    charge_parts(reader, object);
     set_double_illuminate(object, reader.optional_flag());
   } else if (reader.accept(Word::kHollow)) {
     object.hollow = reader.optional_flag();

@@ -104,7 +104,7 @@ TexturePtr parse_old_texture_items(Reader& reader) {
     if (const auto named = reader.accept_identifier<TexturePtr>()) texture = **named;
     else if (!accept_plain_item(reader, texture) && !accept_transformation_of_all(reader, texture)) break;
   }
-  return std::make_shared<const Texture>(std::move(texture));
+  return shared(reader, std::move(texture));
 }
 
 }  // namespace lute

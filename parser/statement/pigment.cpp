@@ -151,7 +151,7 @@ PigmentPtr parse_pigment_items(Reader& reader, const PigmentPtr& base, BodyKind 
   if (!typed && !named && kind == BodyKind::kPigment) reader.warning("Pigment type unspecified or not 1st item.");
   parse_modifiers(reader, pigment, kind);
   require_complete(reader, pigment);
-  return std::make_shared<const Pigment>(std::move(pigment));
+  return shared(reader, std::move(pigment));
 }
 
 PigmentPtr parse_pigment(Reader& reader, const PigmentPtr& base) {

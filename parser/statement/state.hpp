@@ -53,6 +53,16 @@ SceneStatements& statements_of(Reader& reader);
 // Warns, once for each feature: "media is not rendered yet", at the keyword just taken.
 void warn_not_rendered(Reader& reader, std::string_view feature);
 
+// Gives the finished value its depth and makes it ready to be shared; an error if it is too deep.
+PigmentPtr shared(Reader& reader, Pigment pigment);
+NormalPtr shared(Reader& reader, Normal normal);
+TexturePtr shared(Reader& reader, Texture texture);
+// An object with more parts than fit into memory is an error too.
+ObjectPtr shared(Reader& reader, Object object);
+
+// What a part of an object takes when the scene is built, at least, in bytes.
+constexpr double kBuiltPartBytes = 128;
+
 // Guards the stack: blocks that contain blocks of their kind count their depth while they are read.
 class NestingGuard {
  public:

@@ -43,6 +43,7 @@ bool accept_whole_item(Reader& reader, Texture& texture) {
   }
   const auto transform = accept_transformation(reader);
   if (!transform) return false;
+  charge_layers(reader, texture);
   texture = *moved(std::make_shared<const Texture>(std::move(texture)), *transform);
   return true;
 }
@@ -140,6 +141,7 @@ TexturePtr parse_texture_items(Reader& reader) {
   Texture texture;
   if (const auto named = reader.accept_identifier<TexturePtr>()) {
     if (reader.at(TokenKind::kRightBrace) || reader.at(TokenKind::kRightSquare)) return *named;
+    charge_layers(reader, **named);
     texture = **named;
     texture.where = where;
     if (is_plain(texture)) {
@@ -153,7 +155,7 @@ TexturePtr parse_texture_items(Reader& reader) {
     texture.where = where;
     parse_new_texture(reader, texture);
   }
-  return std::make_shared<const Texture>(std::move(texture));
+  return shared(reader, std::move(texture));
 }
 
 TexturePtr parse_texture(Reader& reader) { return parse_block(reader, Word::kTexture); }
@@ -172,10 +174,11 @@ bool accept_layer_item(Reader& reader, TextureOnObject& on_object) {
   // Transformations met before the first texture item do not carry the default texture that it starts from.
   if (on_object.texture == nullptr) on_object = {statements_of(reader).default_texture(), {}};
   if (!is_plain(*on_object.texture)) reader.error("Cannot layer over a patterned texture.");
+  charge_layers(reader, *on_object.texture);
   fold_placement(on_object);
   Texture texture = *on_object.texture;
   accept_layer_block(reader, top_layer(texture));
-  on_object.texture = std::make_shared<const Texture>(std::move(texture));
+  on_object.texture = shared(reader, std::move(texture));
   return true;
 }
 

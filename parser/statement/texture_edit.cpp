@@ -1,6 +1,7 @@
 #include "parser/statement/texture_edit.hpp"
 
 #include "engine/scene/media.hpp"
+#include "parser/session.hpp"
 #include "parser/statement/state.hpp"
 
 namespace lute {
@@ -88,6 +89,11 @@ MediaPtr moved(const MediaPtr& media, const Transform& transform) {
   return std::make_shared<const Media>(std::move(changed));
 }
 
+void charge_layers(Reader& reader, const Texture& texture) {
+  constexpr std::uint64_t kLayer = sizeof(TextureLayer) + sizeof(Pigment) + sizeof(Normal);  // if it is changed
+  if (is_plain(texture)) reader.session().resources.charge(std::get<Layers>(texture.content).size() * kLayer);
+}
+
 void fold_placement(TextureOnObject& texture) {
   texture.texture = moved(texture.texture, texture.placement);
   texture.placement = {};
@@ -97,6 +103,8 @@ TexturePtr layered(Reader& reader, const TexturePtr& below, const TexturePtr& to
   if (below == nullptr) return reader.version() <= 310 && is_plain(*top) ? upper_layers_unfiltered(top) : top;
   if (!is_plain(*below)) reader.error("Cannot layer over a patterned texture.");
   if (!is_plain(*top)) reader.error("Cannot layer a patterned texture over another.");
+  charge_layers(reader, *below);
+  charge_layers(reader, *top);
   Texture result;
   result.where = top->where;
   Layers layers = layers_of(*below);
@@ -105,10 +113,11 @@ TexturePtr layered(Reader& reader, const TexturePtr& below, const TexturePtr& to
     layers.push_back(std::move(layer));
   }
   result.content = std::move(layers);
-  return std::make_shared<const Texture>(std::move(result));
+  return shared(reader, std::move(result));
 }
 
 void add_texture(Reader& reader, TextureOnObject& on_object, const TexturePtr& texture) {
+  if (on_object.texture != nullptr) charge_layers(reader, *on_object.texture);
   fold_placement(on_object);
   on_object.texture = layered(reader, on_object.texture, texture);
 }

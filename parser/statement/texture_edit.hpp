@@ -13,6 +13,9 @@ NormalPtr moved(const NormalPtr& normal, const Transform& transform);  // null s
 TexturePtr moved(const TexturePtr& texture, const Transform& transform);
 MediaPtr moved(const MediaPtr& media, const Transform& transform);  // its densities
 
+// Called before a texture with all its layers is made anew: textures of many layers can double at each step.
+void charge_layers(Reader& reader, const Texture& texture);
+
 // The placement goes into the texture's own chains, so that what is written next is not moved by it.
 void fold_placement(TextureOnObject& texture);
 

@@ -1,6 +1,7 @@
 // The statements of a scene file, #default, and what happens at its end (specification chapter 11 §2, §9.4).
 #include <algorithm>
 
+#include "engine/scene/contents.hpp"
 #include "parser/session.hpp"
 #include "parser/statement/atmosphere.hpp"
 #include "parser/statement/camera.hpp"
@@ -90,6 +91,7 @@ bool accept_scene_object(Reader& reader) {
   if (!object) return false;
   if (is_absent(**object)) return true;
   Object placed = **object;
+  if (const double leaves = contents_of(placed).leaves; leaves > 1) reader.session().resources.reserve(leaves * kBuiltPartBytes);
   take_defaults(placed, statements_of(reader));
   if (statements_of(reader).untyped_normals && has_untyped_normal(placed, *placed.extras->default_texture))
     reader.error("No normal type given.");

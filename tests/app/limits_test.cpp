@@ -86,5 +86,91 @@ TEST_F(Limits, EndlessScenesEndByTheirSwitch) {
   EXPECT_THAT(run_lute({"--check", "--max-nesting", "50", path("deep.pov")}).error, HasSubstr("nested too deeply"));
 }
 
+constexpr double kSoon = 5;  // seconds: each takes less than one on a machine that has nothing else to do
+
+// Values made of each other by their names nest as deep as the loop turns; nothing of it stands in the text.
+TEST_F(Limits, ValuesThatAreMadeOfEachOtherEndByTheirDepth) {
+  const std::string head = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location -3*z }\nlight_source { -9, 1 }\n";
+  const auto chain = [&](const std::string& first, const std::string& next, const std::string& use, int turns) {
+    return head + "#declare A = " + first + "\n#for (I, 1, " + std::to_string(turns) + ") " + next + " #end\n" + use + "\n";
+  };
+  struct Case {
+    const char *name, *first, *next, *use;
+  };
+  // 900 are rendered, 50000 refused.
+  const Case cases[] = {
+      {"union", "sphere { 0, 1 }", "#declare A = union { object { A } sphere { I, 1 } }", "object { A }"},
+      {"difference", "sphere { 0, 1 }", "#declare A = difference { object { A } sphere { 9, 1 } }", "object { A }"},
+      {"clip", "sphere { 0, 1 }", "#declare A = sphere { 0, 1 clipped_by { A } }", "object { A }"},
+      {"bound", "sphere { 0, 1 }", "#declare A = sphere { 0, 1 bounded_by { A } }", "object { A }"},
+      {"pigment", "pigment { rgb 1 }", "#declare A = pigment { gradient x pigment_map { [0 A] [1 rgb 1] } }", "sphere { 0, 1 pigment { A } }"},
+      {"normal", "normal { bumps 1 }", "#declare A = normal { gradient x normal_map { [0 A] [1 bumps 1] } }", "sphere { 0, 1 normal { A } }"},
+      {"texture", "texture { pigment { rgb 1 } }", "#declare A = texture { gradient x texture_map { [0 A] [1 pigment { rgb 1 }] } }",
+       "sphere { 0, 1 texture { A } }"},
+      {"pattern", "pigment { rgb 1 }", "#declare A = pigment { pigment_pattern { A } }", "sphere { 0, 1 pigment { A } }"},
+      {"inside", "pigment { rgb 1 }", "#declare A = pigment { object { sphere { 0, 1 } pigment { rgb 1 } pigment { A } } }", "sphere { 0, 1 pigment { A } }"},
+      {"function", "function { x }", "#declare B = A #undef A #declare A = function { B(x, y, z) + 1 } #undef B", "#debug str(A(1, 2, 3), 0, 0)"},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.name);
+    const std::string file = std::string("chain_") + c.name + ".pov";
+    std::string text = chain(c.first, c.next, c.use, 900);
+    write(file, text);
+    const LuteRun small = run_lute({path(file), "+W4", "+H3", "-D", "+O" + path(file + ".png")});
+    EXPECT_EQ(small.exit_code, 0) << small.error;
+    EXPECT_LT(small.seconds, kSoon);
+    text.replace(text.find("900"), 3, "50000");
+    write(file, text);
+    const LuteRun run = run_lute({"--check", path(file)});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.error, HasSubstr("too deeply: the limit is 1000")) << c.name;
+    EXPECT_LT(run.seconds, kSoon);
+  }
+}
+
+// What doubles at each turn of a loop is refused when it no longer fits, and takes no time before.
+TEST_F(Limits, DoublingEndsByItsSwitch) {
+  const std::string head = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n";
+  const auto run_of = [&](const std::string& name, const std::string& text) {
+    write(name + ".pov", head + text);
+    return run_lute({"--check", "--max-memory", "100", path(name + ".pov")});
+  };
+  const auto doubling = [](const std::string& first, const std::string& next) {
+    return "#declare A = " + first + " #for (I, 1, 60) #declare A = " + next + " #end\nsphere { 0, 1 }\n";
+  };
+  for (const auto& [name, text] : {
+           std::pair<std::string, std::string>("union", doubling("sphere { 0, 1 }", "union { object { A } object { A translate x } }")),
+           {"illuminate", doubling("sphere { 0, 1 }", "union { object { A } object { A double_illuminate } }")},
+           {"media", doubling("sphere { 0, 1 hollow interior { media { density { bozo } } } }", "union { object { A } object { A translate x } }")},
+           {"clip", doubling("sphere { 0, 1 }", "sphere { 0, 1 clipped_by { A } clipped_by { A } translate x }")},
+           {"texture", doubling("texture { pigment { rgb 1 } }", "texture { A } texture { A }")},
+           {"string", doubling("\"a\"", "concat(A, A)")}}) {
+    SCOPED_TRACE(name);
+    const LuteRun run = run_of(name, text);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.error, HasSubstr("more memory than the limit of 100 MB"));
+    EXPECT_LT(run.seconds, kSoon);
+  }
+  const std::string many = "#declare A = sphere { 0, 1 } #for (I, 1, 18) #declare A = union { object { A } object { A translate x } } #end\n";
+  EXPECT_EQ(run_of("once", many + "object { A }").exit_code, 0);
+  EXPECT_THAT(run_of("often", many + "#for (I, 1, 20) object { A } #end").error, HasSubstr("more memory than the limit of 100 MB"));
+}
+
+TEST_F(Limits, FunctionsThatCallEachOtherTwiceEnd) {
+  std::string text = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nsphere { 0, 1 }\n#declare f0 = function(x) { x + 1 }\n";
+  for (int i = 1; i < 60; ++i) {
+    const std::string f = "f" + std::to_string(i - 1);
+    text += "#declare f" + std::to_string(i) + " = function(x) { " + f + "(x) + " + f + "(x + 1) }\n";
+  }
+  write("twice.pov", text + "#debug str(f15(0), 0, 0)\n");
+  EXPECT_EQ(run_lute({"--check", path("twice.pov")}).exit_code, 0);
+  write("twice.pov", text + "#debug str(f59(0), 0, 0)\n");
+  const LuteRun run = run_lute({"--check", path("twice.pov")});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.error, HasSubstr("Functions call each other more than 1000000000 times"));
+  EXPECT_THAT(run.error, HasSubstr("twice.pov:64"));
+  EXPECT_LT(run.seconds, kSoon);
+}
+
 }  // namespace
 }  // namespace lute

@@ -57,6 +57,40 @@ TEST(Program, LoopsOfFunctionsThatCallEachOtherCountTogether) {
   EXPECT_THROW(value(*outer, Args{}), EndlessFunction);
 }
 
+// Each function calls the one before it twice, with arguments of its own.
+FunctionPtr twice_of_twice(int levels, bool one_of_two) {
+  FunctionPtr function;
+  for (int level = 0; level < levels; ++level) {
+    ExpressionBuilder e;
+    const auto x = e.parameter(0);
+    if (level == 0) {
+      function = e.finish(x, 1);
+      continue;
+    }
+    const ExpressionBuilder::Node other[] = {e.binary(B::kAdd, x, e.constant(1))}, same[] = {x};
+    const auto a = e.call(function, same), b = e.call(function, other);
+    function = e.finish(one_of_two ? e.select(x, a, b, b) : e.binary(B::kAdd, a, b), 1);
+  }
+  return function;
+}
+
+TEST(Program, CallsThatDoubleAreCountedLikeTurns) {
+  EXPECT_EQ(twice_of_twice(11, false)->work(), 2046);  // 2 + 4 + ... + 1024
+  EXPECT_EQ(value(*twice_of_twice(2, false), Args{1}), 3);
+  EXPECT_NO_THROW(value(*twice_of_twice(16, false), Args{1}));
+  EXPECT_THROW(value(*twice_of_twice(60, false), Args{1}), EndlessFunction);
+  EXPECT_EQ(value(*twice_of_twice(2, false), Args{1}), 3);  // nothing is left of the calls that were given up
+}
+
+TEST(Program, OnlyOneBranchOfASelectCalls) {
+  const FunctionPtr function = twice_of_twice(61, true);
+  EXPECT_EQ(function->work(), 60);
+  EXPECT_EQ(value(*function, Args{-1}), -1);
+  EXPECT_EQ(value(*function, Args{1}), 61);
+}
+
+TEST(Program, KnowsHowDeepItCalls) { EXPECT_EQ(twice_of_twice(7, false)->depth(), 7u); }
+
 TEST(Program, EmptyProductIsOne) {
   ExpressionBuilder e;
   const auto i = e.local();

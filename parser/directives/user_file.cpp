@@ -254,6 +254,7 @@ void run_write(Session& session) {
   }
   close_paren(session);
   file->output.flush();
+  if (!file->output && !session.recovery.any()) session.fail("Cannot write to file " + file->name + ".", "user-file");
 }
 
 }  // namespace lute

@@ -172,5 +172,14 @@ TEST_F(Limits, FunctionsThatCallEachOtherTwiceEnd) {
   EXPECT_LT(run.seconds, kSoon);
 }
 
+TEST_F(Limits, AFullDiskIsToldWhereItIsMet) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
+  write("full.pov", "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nsphere { 0, 1 }\n#fopen F \"/dev/full\" write\n#write (F, \"x\")\n");
+  const LuteRun run = run_lute({"--check", "--allow-write", "/dev", path("full.pov")});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.error, HasSubstr("full.pov:5"));
+  EXPECT_THAT(run.error, HasSubstr("Cannot write to file /dev/full"));
+}
+
 }  // namespace
 }  // namespace lute

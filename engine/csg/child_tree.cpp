@@ -1,6 +1,7 @@
 #include "engine/csg/child_tree.hpp"
 
 #include <algorithm>
+#include <random>
 
 namespace lute {
 
@@ -20,5 +21,7 @@ ChildTree::ChildTree(std::vector<Aabb> ray_boxes, std::span<const Aabb> all_boxe
     if (!tree || finite[i].empty()) everywhere_.push_back(static_cast<std::uint32_t>(i));
   if (tree) tree_ = Bvh(finite);
 }
+
+void ChildTree::mix_order() { std::ranges::shuffle(everywhere_, std::mt19937(1)); }
 
 }  // namespace lute

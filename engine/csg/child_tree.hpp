@@ -17,6 +17,10 @@ class ChildTree {
   // `boxed`: the child costs more than a test of its box.
   ChildTree(std::vector<Aabb> ray_boxes, std::span<const Aabb> all_boxes, std::vector<bool> boxed);
 
+  // Mixes the order in which the children outside the tree are visited by around(): of many that may answer, one that does is then
+  // found soon in the mean, however the children were declared.
+  void mix_order();
+
   // Calls visit(child, far) for the children that the ray may hit before `far`, which visit may lower; nearer boxes first where
   // there is a tree, else in order. `visit` returns true to end.
   template <class Visit>

@@ -62,7 +62,9 @@ ChildTree CsgSolid::refusals() const {
   if (all_children_needed())
     for (const auto& child : children_) boxes.push_back(child->outside_bounds());
   const std::size_t count = boxes.size();
-  return ChildTree(boxes, boxes, std::vector<bool>(count, false));
+  ChildTree tree(boxes, boxes, std::vector<bool>(count, false));
+  if (remembers_refusals()) tree.mix_order();
+  return tree;
 }
 
 Aabb CsgSolid::outside_bounds() const {
@@ -133,34 +135,39 @@ bool CsgSolid::meets_bounds(const Ray& ray) const {
   return bounds_.empty() || meets_all(bounds_, ray);
 }
 
-bool CsgSolid::survives(std::size_t child, const dvec3& point, RayKind kind) const {
-  if (kind_ == CsgKind::kUnion) return true;
-  if (all_children_needed()) {
-    bool refused = false;
-    refusals_.around(point, [&](std::uint32_t i) {
-      if (i == child || inside_child(i, point)) return false;
-      // Of two equal spheres that cut, or limit, one wall stays: their surface is inside of neither.
-      return refused = leaves_[i] == nullptr || leaves_[child] == nullptr || !leaves_[i]->shares_side(*leaves_[child], point);
-    });
-    return !refused;
-  }
-  bool hidden = false;
-  tree_.around(point, [&](std::uint32_t i) {
+// Whether child `i` removes a hit of `child`: in an intersection it must be inside of all others, in a merge inside of none. Of two
+// equal spheres that cut, or limit, one wall stays: their surface is inside of neither.
+bool CsgSolid::refuses(std::size_t i, std::size_t child, const dvec3& point, RayKind kind) const {
+  if (i == child) return false;
+  if (!all_children_needed()) {
     const Solid& other = *children_[i];
-    hidden = i != child && other.may_contain(point) && child_visible(other, kind) && inside_child(i, point);
-    return hidden;
+    return other.may_contain(point) && child_visible(other, kind) && inside_child(i, point);
+  }
+  if (inside_child(i, point)) return false;
+  return leaves_[i] == nullptr || leaves_[child] == nullptr || !leaves_[i]->shares_side(*leaves_[child], point);
+}
+
+bool CsgSolid::survives(std::size_t child, const dvec3& point, RayKind kind, RecentRefusals& recent) const {
+  if (kind_ == CsgKind::kUnion) return true;
+  if (recent.any([&](std::uint32_t i) { return refuses(i, child, point, kind); })) return false;
+  bool refused = false;
+  (all_children_needed() ? refusals_ : tree_).around(point, [&](std::uint32_t i) {
+    refused = refuses(i, child, point, kind);
+    if (refused && remembers_refusals()) recent.add(i);
+    return refused;
   });
-  return !hidden;
+  return !refused;
 }
 
 void CsgSolid::hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const {
   if (!meets_bounds(ray)) return;
+  RecentRefusals recent;
   const auto collect = [&](std::size_t i) {
     const auto first = static_cast<std::ptrdiff_t>(out.size());
     children_[i]->hits(ray, range, kind, out);
     // Last in, first out: among equal depths of one child the order turns around at every level, as in the reference.
     std::reverse(out.begin() + first, out.end());
-    const auto dead = [&](const Hit& hit) { return !survives(i, hit.point, kind) || !in_clips(hit.point); };
+    const auto dead = [&](const Hit& hit) { return !survives(i, hit.point, kind, recent) || !in_clips(hit.point); };
     out.erase(std::remove_if(out.begin() + first, out.end(), dead), out.end());
     if (!marks_) return;
     for (auto hit = out.begin() + first; hit != out.end(); ++hit) hit->cutaway = this;
@@ -206,6 +213,7 @@ bool CsgSolid::nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) c
   if (kind_ == CsgKind::kUnion && clips_.empty()) return nearest_in_union(ray, range, kind, hit);
   // Child by child, so that a near hit spares the inside tests of those behind it.
   if (!meets_bounds(ray)) return false;
+  RecentRefusals recent;
   bool any_found = false;
   std::uint32_t best = 0;
   tree_.along(ray, range, [&](std::uint32_t i, double& far) {
@@ -213,7 +221,7 @@ bool CsgSolid::nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) c
     hits_of_child(i, ray, {range.lo, far}, kind, [&](double t, auto&& point, auto&& whole) {
       if (t > far || (any_found && t == far && i < best)) return;  // of equals the last child wins
       const dvec3 at = point();
-      if (!survives(i, at, kind) || !in_clips(at)) return;
+      if (!survives(i, at, kind, recent) || !in_clips(at)) return;
       hit = whole();
       far = t;
       best = i;
@@ -245,6 +253,7 @@ bool CsgSolid::nearest_in_union(const Ray& ray, Interval range, RayKind kind, Hi
 bool CsgSolid::any(const Ray& ray, Interval range, RayKind kind) const {
   if (!meets_bounds(ray)) return false;
   const bool each_counts = kind_ == CsgKind::kUnion && clips_.empty();
+  RecentRefusals recent;
   bool found = false;
   tree_.along(ray, range, [&](std::uint32_t i, double& far) {
     if (!child_visible(*children_[i], kind)) return false;
@@ -252,7 +261,7 @@ bool CsgSolid::any(const Ray& ray, Interval range, RayKind kind) const {
     hits_of_child(i, ray, range, kind, [&](double t, auto&& point, auto&&) {
       if (found || t > far) return;
       const dvec3 at = point();
-      found = survives(i, at, kind) && in_clips(at);
+      found = survives(i, at, kind, recent) && in_clips(at);
     });
     return found;
   });

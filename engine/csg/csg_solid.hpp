@@ -11,6 +11,7 @@
 
 #include "engine/csg/child_tree.hpp"
 #include "engine/csg/leaf_solid.hpp"
+#include "engine/csg/recent_refusals.hpp"
 #include "engine/csg/solid.hpp"
 
 namespace lute {
@@ -51,8 +52,11 @@ class CsgSolid final : public Solid {
 
  private:
   bool all_children_needed() const { return kind_ == CsgKind::kIntersection || kind_ == CsgKind::kDifference; }
+  // Asking a few children costs no more than remembering which of them refused.
+  bool remembers_refusals() const { return children_.size() > 8; }
   bool child_visible(const Solid& child, RayKind kind) const;
-  bool survives(std::size_t child, const dvec3& point, RayKind kind) const;
+  bool survives(std::size_t child, const dvec3& point, RayKind kind, RecentRefusals& recent) const;
+  bool refuses(std::size_t i, std::size_t child, const dvec3& point, RayKind kind) const;
   bool in_clips(const dvec3& point) const;
   bool meets_bounds(const Ray& ray) const;
   ChildTree set_boxes();
@@ -72,7 +76,7 @@ class CsgSolid final : public Solid {
   std::vector<const LeafSolid*> leaves_;  // the children that are unclipped leaves, most of them; null for the others
   SharedSolids clips_, bounds_;
   ChildTree tree_;
-  ChildTree refusals_;  // of an intersection: the children that may not have a point inside, which of many cutters are few
+  ChildTree refusals_;  // of an intersection: the children that may not have a point inside; of many cutters few
 };
 
 }  // namespace lute

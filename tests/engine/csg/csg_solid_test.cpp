@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
+#include <ostream>
 #include <random>
 
 #include "engine/csg/bounding.hpp"
@@ -248,39 +248,97 @@ TEST(Csg, ManyChildrenAgreeWithAskingEach) {
   }
 }
 
-// A box with a grid of spheres cut out; the same cells again when there are more of them.
-std::unique_ptr<CsgSolid> sieve(int side) {
-  CsgSolid::Children children;
-  children.push_back(leaf(Box{dvec3(-1, -1, -0.2), dvec3(1, 1, 0.2)}, 0));
-  const double cell = 2.0 / side;
-  for (int i = 0; i < side; ++i)
-    for (int k = 0; k < side; ++k)
-      children.push_back(leaf(Sphere{{-1 + cell * (i + 0.5), -1 + cell * (k + 0.5), -0.2}, 0.45 * cell}, 1, true));
-  return std::make_unique<CsgSolid>(CsgKind::kDifference, std::move(children));
+// Counts how often a solid is asked for hits, or whether a point is inside.
+class Counted final : public Solid {
+ public:
+  explicit Counted(std::unique_ptr<Solid> solid) : solid_(std::move(solid)) {}
+  static inline long asked = 0;
+
+  void hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const override {
+    ++asked;
+    solid_->hits(ray, range, kind, out);
+  }
+  bool inside(const dvec3& point) const override {
+    ++asked;
+    return solid_->inside(point);
+  }
+  bool plain_inside(const dvec3& point) const override { return solid_->plain_inside(point); }
+  void leaves(std::vector<const Leaf*>& out) const override { solid_->leaves(out); }
+  Aabb hits_within(const Aabb& region) const override { return solid_->hits_within(region); }
+  Aabb inside_within(const Aabb& region) const override { return solid_->inside_within(region); }
+  Aabb outside_bounds() const override { return solid_->outside_bounds(); }
+
+ private:
+  Aabb own_box() const override { return solid_->box(); }
+  Aabb own_inside_box() const override { return solid_->inside_box(); }
+  std::unique_ptr<Solid> solid_;
+};
+
+// Combinations of any number of children. The points on a sphere are declared along a spiral, from pole to pole.
+struct WideCase {
+  const char* name;
+  CsgKind kind;
+  std::unique_ptr<Solid> (*child)(int i, int count);
+};
+void PrintTo(const WideCase& c, std::ostream* out) { *out << c.name; }
+
+dvec3 on_spiral(int i, int count) {
+  const double y = 1 - 2 * (i + 0.5) / count;
+  const double r = std::sqrt(1 - y * y);
+  return {r * std::cos(2.4 * i), y, r * std::sin(2.4 * i)};
 }
 
-TEST(Csg, TenTimesTheChildrenCostTenTimesTheWorkAtMost) {
-  // Seconds of processor time to build, and to trace the same 2000 rays.
-  const auto cost = [](int side) {
-    const std::clock_t begin = std::clock();
-    const auto solid = sieve(side);
+const WideCase kWideCases[] = {
+    {"TangentPlanes", CsgKind::kIntersection, [](int i, int count) { return leaf(Plane{on_spiral(i, count), 1}, i); }},
+    {"OverlappingSpheres", CsgKind::kIntersection, [](int i, int count) { return leaf(Sphere{0.5 * on_spiral(i, count), 1.3}, i); }},
+    {"ShellsFromTheInmost", CsgKind::kIntersection, [](int i, int count) { return leaf(Sphere{dvec3(0), 1 + 1.0 * i / count}, i); }},
+    {"ShellsFromTheOutmost", CsgKind::kIntersection, [](int i, int count) { return leaf(Sphere{dvec3(0), 2 - 1.0 * i / count}, i); }},
+    {"ShiftedSpheres", CsgKind::kIntersection, [](int i, int count) { return leaf(Sphere{{0, 0, 1.0 * i / count}, 1.3}, i); }},
+    {"OverlappingMerge", CsgKind::kMerge, [](int i, int count) { return leaf(Sphere{0.5 * on_spiral(i, count), 1.3}, i); }},
+    {"OverlappingCutters", CsgKind::kDifference,
+     [](int i, int count) {
+       return i == 0 ? leaf(Box{dvec3(-1), dvec3(1)}, i) : leaf(Sphere{on_spiral(i, count), .3}, i, true);
+     }},
+    {"CuttersInAGrid", CsgKind::kDifference,
+     [](int i, int count) {
+       if (i == 0) return leaf(Box{dvec3(-1, -1, -0.2), dvec3(1, 1, 0.2)}, i);
+       const int side = static_cast<int>(std::sqrt(count - 1));
+       const double cell = 2.0 / side;
+       return leaf(Sphere{{-1 + cell * ((i - 1) % side + 0.5), -1 + cell * ((i - 1) / side + 0.5), -0.2}, 0.45 * cell}, i, true);
+     }},
+};
+
+class WideCsg : public testing::TestWithParam<WideCase> {
+ protected:
+  // What the same rays ask of the children in all: for the nearest hit, for all hits, and for any.
+  static long work(int count) {
+    CsgSolid::Children children;
+    for (int i = 0; i < count; ++i) children.push_back(std::make_unique<Counted>(GetParam().child(i, count)));
+    const CsgSolid solid(GetParam().kind, std::move(children));
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(-1, 1);
-    int cut = 0;
-    for (int i = 0; i < 2000; ++i) {
+    Counted::asked = 0;
+    int met = 0;
+    for (int i = 0; i < 60; ++i) {
+      const Ray ray{{unit(random), unit(random), -10}, glm::normalize(dvec3(.05 * unit(random), .05 * unit(random), 1))};
       Hit hit;
-      if (solid->nearest({{unit(random), unit(random), -10}, {0, 0, 1}}, kAhead, RayKind{}, hit) && hit.leaf->light_group == 1) ++cut;
+      Hits all;
+      if (solid.nearest(ray, kAhead, RayKind{}, hit)) ++met;
+      solid.hits(ray, kAhead, RayKind{}, all);
+      EXPECT_EQ(solid.any(ray, kAhead, RayKind{}), !all.empty());
     }
-    EXPECT_NEAR(cut / 2000.0, std::acos(-1.0) * 0.45 * 0.45, 0.05);  // the share of a cell that its sphere takes
-    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  };
-  double few = kInfinity, many = kInfinity;
-  for (int repeat = 0; repeat < 3; ++repeat) {
-    few = std::min(few, cost(32));    // 1,025 children
-    many = std::min(many, cost(100));  // 10,001 children
+    EXPECT_GT(met, 15);
+    return Counted::asked;
   }
-  EXPECT_LT(many, 20 * few) << "1,025 children: " << few << " s, 10,001 children: " << many << " s";
-}
+};
+
+// N log N is 14 times as much, N² a hundred times.
+TEST_P(WideCsg, TenTimesTheChildrenCostSixteenTimesTheWorkAtMost) { EXPECT_LE(work(4001), 16 * work(401)); }
+
+// Each child counts in the mean a few times a ray and query.
+TEST_P(WideCsg, AsksEveryChildAFewTimes) { EXPECT_LT(work(1001), 6L * 1001 * 60 * 3); }
+
+INSTANTIATE_TEST_SUITE_P(Csg, WideCsg, testing::ValuesIn(kWideCases), [](const auto& test) { return test.param.name; });
 
 TEST(Csg, NestedToDepthAHundred) {
   // Each level cuts a sphere out of the front of the level below and adds one: at (k, 0) the inside of the cut is seen.

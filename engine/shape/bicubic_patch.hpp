@@ -9,8 +9,10 @@
 // give the same surface. uv_vectors: texture coordinates of points 1, 4, 16 and 13.
 //
 // Each piece becomes two triangles between points of the surface; the normal is the surface's own at their corners, blended. The
-// pieces are found through a tree of boxes. A patch has no inside, and clipped_by removes none of its hits.
-// Source: specification chapter 21 §5.
+// pieces are found through a tree of boxes; beyond five halvings they are made anew for every ray, within the hulls of their control
+// points, so that memory is bounded (about half a megabyte a patch). A patch has no inside, and clipped_by removes none of its hits.
+// Source: specification chapter 21 §5. Halving and hulls: Lane, Riesenfeld: A theoretical development for the computer generation and
+// display of piecewise polynomial surfaces (1980); de Casteljau's halving: Farin: Curves and Surfaces for CAGD, chapters 4 and 14.
 #pragma once
 
 #include <array>

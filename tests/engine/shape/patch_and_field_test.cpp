@@ -1,6 +1,7 @@
 // Expected numbers: specification chapter 21 §12, check cases named at each test.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -63,6 +64,42 @@ TEST(BicubicPatch, Traces) {
   EXPECT_TRACE(*make(wavy(0, 0)), dvec3(.3, .2, -5), kZ, dvec3(.3, .2, 1.216667), dvec3(-0.523426, -0.689294, -0.500897));
   EXPECT_TRACE(*make(wavy(0, 0)), dvec3(1.5, 1.5, -5), kZ, dvec3(1.5, 1.5, .25), dvec3(-0.615457, -0.615457, -0.492366));
   EXPECT_TRACE(*make(wavy(0, 3)), dvec3(1.5, 1.5, -5), kZ, dvec3(1.5, 1.5, .0625), dvec3(-0.183942, 0.061314, -0.981023));
+}
+
+// Halved ten times the patch has a million cells, 500 bytes each; a hit is nearer to the surface than their size squared.
+TEST(BicubicPatch, FineOnesAreDividedAlongTheRay) {
+  const BicubicPatch patch = wavy(0, 10);
+  const auto shape = make(patch);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> inner(.01, .99);
+  for (int i = 0; i < 300; ++i) {
+    const double u = inner(random), v = inner(random);
+    const auto bernstein = [](double t) {
+      return std::array<double, 4>{(1 - t) * (1 - t) * (1 - t), 3 * (1 - t) * (1 - t) * t, 3 * (1 - t) * t * t, t * t * t};
+    };
+    dvec3 point(0);
+    for (std::size_t r = 0; r < 4; ++r)
+      for (std::size_t c = 0; c < 4; ++c) point += bernstein(u)[r] * bernstein(v)[c] * patch.points[r][c];
+    ShapeHit hit;
+    ASSERT_TRUE(shape->nearest({{point.x, point.y, -5}, kZ}, {1e-4, 1e10}, hit));
+    EXPECT_NEAR(hit.t - 5, point.z, 1e-5);
+    const dvec2 uv = shape->uv(hit, point);
+    EXPECT_NEAR(uv.x, v, 1e-9);
+    EXPECT_NEAR(uv.y, u, 1e-9);
+    // Its normal is that of a coarser patch which keeps all its facets, as far as their sizes allow.
+    const auto kept = trace(*make(wavy(0, 5)), {point.x, point.y, -5}, kZ), fine = trace(*shape, {point.x, point.y, -5}, kZ);
+    EXPECT_LT(test::distance(fine->normal, kept->normal), 1e-2);
+  }
+}
+
+// Rays at edges and corners of cells: none passes between.
+TEST(BicubicPatch, FineOnesHaveNoGaps) {
+  BicubicPatch flat = wavy(0, 8);
+  for (auto& row : flat.points)
+    for (dvec3& point : row) point.z = 0.25 * point.x;
+  const auto shape = make(flat);
+  for (int i = 1; i < 256; ++i)
+    for (int k = 1; k < 256; k += 5) EXPECT_TRUE(trace(*shape, {3 * k / 256.0, 3 * i / 256.0, -5}, kZ)) << i << ' ' << k;
 }
 
 // Check case 4.

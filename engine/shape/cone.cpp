@@ -1,14 +1,19 @@
 #include "engine/shape/cone.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/shape/axis_frame.hpp"
+#include "engine/shape/cylinder.hpp"
 #include "engine/shape/empty_shape.hpp"
 #include "engine/shape/truncated_cone.hpp"
 
 namespace lute {
 
-std::unique_ptr<Shape> build(const Cone& cone, const Transform& to_world, BuildContext&) {
+std::unique_ptr<Shape> build(const Cone& cone, const Transform& to_world, BuildContext& context) {
+  // Two negative radii pass for nearly equal ones in the reference, which are a cylinder.
+  if (const double larger = std::max(cone.base_radius, cone.cap_radius); larger < 0)
+    return build(Cylinder{cone.base, cone.cap, -larger, cone.open}, to_world, context);
   // The frame starts at the wider end, so that its unit is never zero unless the whole cone is.
   dvec3 wide = cone.base;
   dvec3 narrow = cone.cap;

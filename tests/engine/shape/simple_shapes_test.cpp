@@ -114,6 +114,15 @@ TEST(Cone, RadiiOfOppositeSignMeetInAPoint) {
   EXPECT_TRUE(shape->inside({0, .9, 0}));
 }
 
+// Measured with POV-Ray: radii -1 and -0.5 make a cylinder of radius 0.5.
+TEST(Cone, OfTwoNegativeRadiiIsTheNarrowCylinder) {
+  for (const auto& [base, cap] : {std::pair{-1.0, -.5}, std::pair{-.5, -1.0}}) {
+    const auto shape = make(Cone{dvec3(0), kY, base, cap});
+    EXPECT_TRACE(*shape, dvec3(0, .1, -5), kZ, dvec3(0, .1, -.5), -kZ);
+    EXPECT_TRACE(*shape, dvec3(0, .9, -5), kZ, dvec3(0, .9, -.5), -kZ);
+  }
+}
+
 TEST(Cone, NearlyEqualRadiiAreExact) {
   const auto cone = make(Cone{dvec3(0), kY, 1, 1 - 1e-9, false});
   const auto traced = trace(*cone, {0, .5, -5}, kZ);

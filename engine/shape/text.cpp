@@ -82,10 +82,11 @@ class Lettering final : public ScannedShape<Lettering> {
   template <class Sink>
   void scan_caps(const GlyphOutline& glyph, const Ray& ray, Sink& sink) const {
     if (ray.direction.z == 0) return;
-    for (const double z : {0.0, depth_}) {
-      const double t = (z - ray.origin.z) / ray.direction.z;
+    // Without depth the two coincide, and the last one, the back, is what is seen.
+    for (const bool back : {false, true}) {
+      const double t = ((back ? depth_ : 0) - ray.origin.z) / ray.direction.z;
       const dvec3 p = ray.at(t);
-      if (in_outline(glyph, dvec2(p.x, p.y))) sink(t, 0, std::array<double, 3>{0, 0, z == 0 ? -1.0 : 1.0});
+      if (in_outline(glyph, dvec2(p.x, p.y))) sink(t, 0, std::array<double, 3>{0, 0, back ? 1.0 : -1.0});
     }
   }
 

@@ -52,6 +52,7 @@ class PolySurface final : public ScannedShape<PolySurface> {
       for (std::size_t i = roots.count; i-- > 0;) sink((roots.t[i] + shift) / length, 0);
     };
     if (order_ == 2) return emit(solve_quadratic(expand<2>(p, d).c, within));
+    if (!curved_) return;
     // The closed splits of cubics and quartics lose no root and invent none: `sturm` has nothing to add to them.
     if (order_ == 3) return emit(solve_cubic(expand<3>(p, d).c, within));
     if (order_ == 4) return emit(solve_quartic(expand<4>(p, d).c, within));
@@ -112,6 +113,7 @@ class PolySurface final : public ScannedShape<PolySurface> {
         const bool any = std::any_of(next, next + ny + 1, [](double c) { return c != 0; });
         terms_of_y_.push_back(any);
         any_in_x |= any;
+        for (int nz = 0; nz <= ny && nz < order_ - 1; ++nz) curved_ |= next[nz] != 0;  // the degree of the term is order - nz
       }
       terms_of_x_.push_back(any_in_x);
     }
@@ -162,6 +164,7 @@ class PolySurface final : public ScannedShape<PolySurface> {
   int order_;
   std::vector<double> coefficients_;
   std::vector<char> terms_of_x_, terms_of_y_;
+  bool curved_ = false;  // else a plane, which nothing above order 2 shows in the reference
   SharedTransform to_world_;
 };
 

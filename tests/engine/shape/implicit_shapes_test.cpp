@@ -135,6 +135,18 @@ TEST(Poly, TripleRootIsSeen) {
   EXPECT_TRUE(trace(*make(cubic), {.2, .1, -5}, kZ));
 }
 
+// Chapter 20 §5.8: of order 3 and more what is left of a plane is not seen, of order 2 it is.
+TEST(Poly, PlaneIsSeenOfOrderTwoOnly) {
+  for (const int order : {2, 3, 4}) {
+    Poly poly;
+    poly.order = order;
+    poly.coefficients.assign(static_cast<std::size_t>((order + 1) * (order + 2) * (order + 3) / 6), 0);
+    poly.coefficients[poly.coefficients.size() - 2] = 1;  // z
+    poly.coefficients.back() = -1;
+    EXPECT_EQ(trace(*make(poly), {.1, .2, -5}, kZ).has_value(), order == 2) << order;
+  }
+}
+
 TEST(Poly, TermsAreInTheOrderOfTheManual) {
   EXPECT_EQ(Poly::term_index(2, 2, 0, 0), 0u);
   EXPECT_EQ(Poly::term_index(2, 1, 0, 1), 2u);

@@ -37,7 +37,7 @@ PrismOutline steered_outline(const std::vector<dvec2>& p, bool cubic) {
   PrismOutline outline;
   const std::size_t trailing = cubic ? 1 : 0;
   std::size_t i = 0;
-  while (i < p.size()) {
+  while (i + 1 < p.size()) {  // a single point that is left over steers nothing
     bool complete = false;
     for (std::size_t k = i; k + 2 + trailing < p.size() && !complete; ++k) {
       outline.segments.push_back(cubic ? cubic_segment(p[k], p[k + 1], p[k + 2], p[k + 3])

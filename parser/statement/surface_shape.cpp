@@ -42,21 +42,19 @@ void parse_patch_type(Reader& reader, int& type) {
   }
 }
 
-// The old form: type, [flatness for types 2 and 3], u_steps, v_steps as bare numbers.
+// The old form: type, [flatness for types 2 and 3], u_steps, v_steps as bare numbers, with no commas between them.
 void parse_old_patch_head(Reader& reader, BicubicPatch& patch, int& type) {
   reader.warning("Should use keywords for bicubic parameters.");
   type = reader.integer();
-  reader.comma();
   patch.flatness = 0.1;
   if (type == 2 || type == 3) {
     patch.flatness = reader.number();
-    reader.comma();
+    reader.warning("Patch type no longer supported. Using type 1.");
+    type = 1;
   }
   patch.u_steps = reader.integer();
-  reader.comma();
   patch.v_steps = reader.integer();
   reader.comma();
-  if (type > 1) type = 1;
 }
 
 void parse_patch_head(Reader& reader, BicubicPatch& patch, int& type) {
@@ -78,6 +76,7 @@ void parse_patch_head(Reader& reader, BicubicPatch& patch, int& type) {
       }
       return;
     } else {
+      if (reader.at(TokenKind::kNumber)) parse_old_patch_head(reader, patch, type);  // the reference takes it up here too
       return;
     }
   }

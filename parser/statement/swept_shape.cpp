@@ -103,8 +103,11 @@ Prism parse_prism(Reader& reader) {
   }
   prism.points = parse_points(reader, count);
   prism.open = reader.accept(Word::kOpen);
-  if (!prism_outline(prism).closed)
-    reader.warning(prism.spline == PlanarSpline::kLinear ? "Linear prism not closed. Closing it." : "Prism not closed. Ignoring it.");
+  if (!prism_outline(prism).closed) {
+    const bool linear = prism.spline == PlanarSpline::kLinear;
+    reader.warning(linear ? "Linear prism not closed. Closing it." : "Prism not closed. Ignoring it.");
+    if (prism.spline == PlanarSpline::kQuadratic || prism.spline == PlanarSpline::kCubic) reader.error("Too few points in prism.");
+  }
   return prism;
 }
 

@@ -133,23 +133,11 @@ std::string Reader::text() { return to_utf8(parse_string(session_)); }
 std::string Reader::file_name() { return to_bytes(session_, parse_string(session_, true)); }
 bool Reader::at_string() { return starts_string(peek()); }
 
-FunctionPtr Reader::function() {
-  const Item& next = peek();
-  if (next.is(TokenKind::kIdentifier) && next.slot->holds<FunctionPtr>()) {
-    const FunctionPtr function = *next.slot->get_if<FunctionPtr>();
-    take();
-    return function;
-  }
-  expect(Word::kFunction);
-  const Item& after = peek();
-  if (after.is(TokenKind::kIdentifier) && after.slot->holds<FunctionPtr>()) return function();
-  return parse_function(session_, true);
-}
+FunctionPtr Reader::float_function() { return parse_function(session_, FunctionForm::kExpression); }
 
-FunctionPtr Reader::function_body() {
-  const Item& next = peek();
-  if (next.is(TokenKind::kIdentifier) && next.slot->holds<FunctionPtr>()) return function();
-  return parse_function(session_, false);
+FunctionPtr Reader::any_function() {
+  const std::optional<FunctionPtr> declared = accept_identifier<FunctionPtr>();
+  return declared ? *declared : parse_function(session_, FunctionForm::kBody);
 }
 
 std::optional<std::string> Reader::find_file(const std::string& name, std::initializer_list<std::string_view> extensions) {

@@ -98,11 +98,10 @@ class Reader {
     return next.token.kind == TokenKind::kIdentifier && next.slot->holds<T>();
   }
 
-  // A user function as statements use it: `function { ... }` (with or without parameter list; the keyword is next) or an
-  // identifier that holds one. Implemented with the expression language.
-  FunctionPtr function();
-  // The body only: `{ expression }` with parameters x, y, z; the keyword `function` was taken (isosurface, patterns).
-  FunctionPtr function_body();
+  // A user function as statements use it, the keyword `function` was taken: `{ expression }` of x, y and z, with a number for a value.
+  FunctionPtr float_function();
+  // The same with any other body, a pigment for instance, or an identifier that holds a function.
+  FunctionPtr any_function();
 
   // A file found by the search rules of chapter 10 §6.1; nothing if there is none. `extensions` are tried in order.
   std::optional<std::string> find_file(const std::string& name, std::initializer_list<std::string_view> extensions = {});

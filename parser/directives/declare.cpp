@@ -58,7 +58,7 @@ ParsedValue parse_value(Session& session, ValueUse use) {
   if (next.is(TokenKind::kName)) fail_unset(session, next, use);
   const Word word = next.word();
   switch (word) {
-    case Word::kFunction: reader.take(); return new_value(parse_function(session, true));
+    case Word::kFunction: reader.take(); return new_value(parse_function(session, FunctionForm::kDeclared));
     case Word::kArray: reader.take(); return new_value(parse_array(session));
     case Word::kSpline: reader.take(); return new_value(parse_spline(session));
     default: break;

@@ -60,8 +60,15 @@ bool starts_color(const Item& item);
 SplinePtr parse_spline(Session& session);
 std::optional<SplineKind> spline_kind(Word word);
 
-// `function [(parameters)] { ... }`, the keyword was taken. `parameters_allowed`: false where only the body may follow.
-FunctionPtr parse_function(Session& session, bool parameters_allowed);
+// What may stand behind the keyword `function`.
+enum class FunctionForm : std::uint8_t {
+  kDeclared,    // [(parameters)] { body }
+  kBody,        // { body }
+  kExpression,  // { expression }
+};
+
+// The keyword was taken.
+FunctionPtr parse_function(Session& session, FunctionForm form);
 
 std::int32_t to_int32(double value);  // truncated; out of range -2147483648
 

@@ -103,11 +103,11 @@ FunctionPtr parse_special_body(Session& session) {
 
 }  // namespace
 
-FunctionPtr parse_function(Session& session, bool parameters_allowed) {
+FunctionPtr parse_function(Session& session, FunctionForm form) {
   const TokenStream::AfterOperand allowed(session.stream, true);
   const ExpressionState::Interruption interruption(session.expressions);
   FunctionScope scope{session, {}, {}, {}, 0};
-  const bool listed = parameters_allowed && session.reader.at(TokenKind::kLeftParen);
+  const bool listed = form == FunctionForm::kDeclared && session.reader.at(TokenKind::kLeftParen);
   if (listed) {
     scope.parameters = parse_parameters(session);
   } else {
@@ -115,7 +115,7 @@ FunctionPtr parse_function(Session& session, bool parameters_allowed) {
   }
   session.reader.open(Word::kFunction);
   const Word first = session.reader.word();
-  FunctionPtr function = parse_special_body(session);
+  FunctionPtr function = form == FunctionForm::kExpression ? nullptr : parse_special_body(session);
   if (function && listed && first != Word::kInternal) {
     session.fail("Function parameters for " + std::string(spelling(first)) + " functions are not allowed.", "function-parameters");
   }

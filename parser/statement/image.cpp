@@ -79,7 +79,7 @@ ImagePtr parse_function_image(Reader& reader) {
   const int width = side();
   reader.comma();
   const int height = side();
-  const FunctionPtr function = reader.function_body();
+  const FunctionPtr function = reader.any_function();
   const int results = function->result_count();
   if (function->parameter_count() != 3 || (results != 1 && results != 5))
     reader.error("Unsupported function type in function image.");

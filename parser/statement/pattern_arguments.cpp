@@ -66,9 +66,7 @@ void parse_arguments(Reader& reader, DensityFile& pattern, ParsedPattern&) {
 }
 
 void parse_arguments(Reader& reader, FunctionPattern& pattern, ParsedPattern&) {
-  pattern.function = reader.function_body();
-  if (pattern.function->is_vector() || pattern.function->parameter_count() != 3)
-    reader.error("A function pattern needs a float function of x, y and z.");
+  pattern.function = reader.float_function();
 }
 
 void parse_arguments(Reader& reader, PigmentPattern& pattern, ParsedPattern&) {

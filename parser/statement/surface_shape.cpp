@@ -118,7 +118,7 @@ BicubicPatch parse_bicubic_patch(Reader& reader) {
 Isosurface parse_isosurface(Reader& reader) {
   Isosurface iso;
   reader.expect(Word::kFunction);
-  iso.function = reader.function_body();
+  iso.function = reader.float_function();
   while (true) {
     if (reader.accept(Word::kContainedBy)) {
       iso.container = parse_container(reader);
@@ -160,7 +160,8 @@ Parametric parse_parametric(Reader& reader) {
   Parametric parametric;
   for (std::size_t i = 0; i < 3; ++i) {
     if (i > 0) reader.comma();
-    parametric.functions[i] = reader.function();
+    reader.expect(Word::kFunction);
+    parametric.functions[i] = reader.float_function();
   }
   const dvec2 a = reader.vector2();
   reader.comma();

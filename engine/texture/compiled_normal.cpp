@@ -53,7 +53,7 @@ dvec3 CompiledNormal::bend(const dvec3& normal, const dvec3& point, const Surfac
 
 dvec3 CompiledNormal::by_slope(dvec3 normal, const dvec3& warped, const SurfaceContext& surface) const {
   for (const dvec3& corner : kTetrahedron) {
-    double height = pattern_->value(warped + accuracy_ * corner, surface);
+    double height = pattern_->value(bounded_coordinates(warped + accuracy_ * corner), surface);
     if (!slopes_.empty()) height = slope_height(slopes_, height);
     normal -= 5 * amount_ * (0.02 / accuracy_) * height * corner;
   }

@@ -68,8 +68,7 @@ double CompiledPattern::value(const dvec3& warped, const SurfaceContext& surface
   if (any == nullptr) return 0;
   PatternContext context = context_;
   context.surface = &surface;
-  const dvec3 point = bounded_coordinates(warped);
-  double v = std::visit([&](const auto& p) -> double { return evaluate(p, point, context); }, *any);
+  double v = std::visit([&](const auto& p) -> double { return evaluate(p, warped, context); }, *any);
   if (frequency_ != 0) v = within_pattern_period(v * frequency_ + phase_);
   if (v < 0) v -= fast_floor(v);
   return shape_wave(wave_, v, wave_exponent_);

@@ -25,9 +25,9 @@ class CompiledPattern {
   CompiledPattern(const CompiledPattern&) = delete;
   CompiledPattern& operator=(const CompiledPattern&) = delete;
 
-  // The point after the chain of warps.
-  dvec3 warp(const dvec3& point) const { return chain_.empty() ? point : apply_warps(chain_, point, false); }
-  // The pattern's value at a warped point, wave included.
+  // The point after the chain of warps, its coordinates bounded.
+  dvec3 warp(const dvec3& point) const { return bounded_coordinates(chain_.empty() ? point : apply_warps(chain_, point, false)); }
+  // The pattern's value at a warped point, wave included. The point is one that warp() gave, or is bounded like it.
   double value(const dvec3& warped, const SurfaceContext& surface) const;
 
   const AnyPattern* pattern() const { return std::get_if<AnyPattern>(&pattern_); }

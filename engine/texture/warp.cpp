@@ -110,7 +110,7 @@ dvec3 apply_warps(const WarpChain& chain, dvec3 point, bool skip_classic_turbule
     if (skip_classic_turbulence && std::holds_alternative<ClassicTurbulence>(w)) continue;
     point = std::visit([&](const auto& each) { return warp(each, point); }, w);
   }
-  return bounded_coordinates(point);
+  return point;
 }
 
 void prepend_transform(WarpChain& chain, const Transform& transform) {

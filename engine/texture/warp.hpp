@@ -52,7 +52,7 @@ inline dvec3 bounded_coordinates(const dvec3& point) {
   return {bounded(point.x, kLimit), bounded(point.y, kLimit), bounded(point.z, kLimit)};
 }
 
-// The point after the chain, its coordinates bounded. Classic turbulence is left out where the pattern uses it itself.
+// The point after the chain, whatever numbers that gives. Classic turbulence is left out where the pattern uses it itself.
 dvec3 apply_warps(const WarpChain& chain, dvec3 point, bool skip_classic_turbulence);
 
 // The turn of (x, z) around the y axis as a fraction of the circle, from +x toward +z.

@@ -38,8 +38,7 @@ ChildTree CsgSolid::set_boxes() {
   std::vector<Aabb> ray_boxes, all_boxes;
   std::vector<bool> boxed;
   for (const auto& child : children_) {
-    const Aabb region = all_children_needed() ? inside_box : clipped;
-    ray_boxes.push_back(all_children_needed() ? child->hits_inside(region) : child->hits_within(region));
+    ray_boxes.push_back(child_hits_within(*child, all_children_needed() ? inside_box : clipped));
     box.join(ray_boxes.back());
     boxed.push_back(!is_cheap(*child) || ray_boxes.back().volume() < 0.5 * child->box().volume());
     all_boxes.push_back(ray_boxes.back());
@@ -81,21 +80,20 @@ Aabb CsgSolid::outside_bounds() const {
 }
 
 Aabb CsgSolid::hits_within(const Aabb& region) const {
-  if (all_children_needed()) return hits_inside(inside_within(region));
+  return hits_inside(all_children_needed() ? inside_within(region) : region);
+}
+
+Aabb CsgSolid::hits_inside(const Aabb& region) const {
   const Aabb limits = region.intersection(boxes_->hits);
   Aabb result;
-  for (const auto& child : children_) result.join(child->hits_within(limits));
+  for (const auto& child : children_) result.join(child_hits_within(*child, limits));
   return result.intersection(limits);
 }
 
-// What is inside of this is inside of its children too, and has been made smaller by theirs: once is enough, or the time would be
-// cubic in the depth.
-Aabb CsgSolid::hits_inside(const Aabb& region) const {
-  if (!all_children_needed()) return hits_within(region);
-  const Aabb limits = region.intersection(boxes_->hits);
-  Aabb result;
-  for (const auto& child : children_) result.join(child->hits_inside(limits));
-  return result.intersection(limits);
+// What is inside of an intersection is inside of its children too, and has been made smaller by theirs: once is enough, or the time
+// would be cubic in the depth.
+Aabb CsgSolid::child_hits_within(const Solid& child, const Aabb& region) const {
+  return all_children_needed() ? child.hits_inside(region) : child.hits_within(region);
 }
 
 Aabb CsgSolid::inside_within(const Aabb& region) const {

@@ -61,6 +61,7 @@ class CsgSolid final : public Solid {
   bool meets_bounds(const Ray& ray) const;
   ChildTree set_boxes();
   Aabb narrowed(const Aabb& region) const;
+  Aabb child_hits_within(const Solid& child, const Aabb& region) const;
   ChildTree refusals() const;
   bool inside_child(std::size_t child, const dvec3& point) const {
     return leaves_[child] != nullptr ? leaves_[child]->inside_shape(point) : children_[child]->inside(point);

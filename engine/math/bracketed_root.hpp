@@ -5,9 +5,12 @@
 // more. Steps that leave the bracket are Newton's or halve it. Source: W. Gander, On Halley's Iteration Method, 1985.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace lute {
 
@@ -40,9 +43,13 @@ inline Taylor expand(const double* c, Degree degree, double t) {
   return {f, first, second, third};
 }
 
-// `degree` at least 3.
 template <class Degree>
 double bracketed_root(const double* c, Degree degree, const Bracket& bracket) {
+  if (degree < 3) {  // a cubic without its highest terms
+    std::array<double, 4> padded{};
+    std::copy(c, c + degree + 1, padded.begin());
+    return bracketed_root(padded.data(), std::integral_constant<std::size_t, 3>(), bracket);
+  }
   constexpr double kUlp = std::numeric_limits<double>::epsilon();
   double lo = bracket.lo, hi = bracket.hi, t = bracket.guess;
   const bool rising = bracket.f_lo < 0;

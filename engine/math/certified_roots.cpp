@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "engine/math/bracketed_root.hpp"
+
 namespace lute {
 
 namespace {
@@ -241,11 +242,7 @@ class Isolation {
   // The root between lo and hi, where the values have opposite signs and there is one root.
   template <class AnyDegree>
   static double bracketed(const double* c, AnyDegree degree, double lo, double hi) {
-    const Bracket bracket{lo, hi, value({c, degree + 1}, lo).value, 0.5 * (lo + hi)};
-    if (degree >= 3) return bracketed_root(c, degree, bracket);
-    std::array<double, 4> padded{};
-    std::copy(c, c + degree + 1, padded.begin());
-    return bracketed_root(padded.data(), std::integral_constant<std::size_t, 3>(), bracket);
+    return bracketed_root(c, degree, {lo, hi, value({c, degree + 1}, lo).value, 0.5 * (lo + hi)});
   }
 
   static constexpr Interval kNoCluster{1, 0};

@@ -78,10 +78,7 @@ class RootWalk {
   // From where a straight line would have the root.
   double bracketed(double lo, double hi, double f_lo, double f_hi) const {
     const double guess = lo + (hi - lo) * (f_lo / (f_lo - f_hi));
-    constexpr std::size_t kDegree = std::max<std::size_t>(Degree, 3);
-    std::array<double, kDegree + 1> c{};
-    std::copy(c_.begin(), c_.end(), c.begin());
-    return bracketed_root(c.data(), std::integral_constant<std::size_t, kDegree>(), {lo, hi, f_lo, guess});
+    return bracketed_root(c_.data(), std::integral_constant<std::size_t, Degree>(), {lo, hi, f_lo, guess});
   }
 
   const Coefficients& c_;

@@ -15,9 +15,9 @@ fs::path absolute(const std::string& path) {
   return error ? fs::path(path) : result;
 }
 
-// Where the name leads, links followed to the end, also to what does not exist yet: that is where a file would be made. Empty if
-// the links go round in a circle.
-fs::path resolved(const std::string& path) {
+}  // namespace
+
+fs::path true_path(const std::string& path) {
   constexpr int kMostLinks = 40;  // the system follows no more
   const fs::path name = absolute(path);
   std::deque<fs::path> left(name.begin(), name.end());
@@ -43,6 +43,8 @@ fs::path resolved(const std::string& path) {
   return at;
 }
 
+namespace {
+
 bool is_below(const fs::path& path, const fs::path& folder) {
   const auto [rest_of_folder, rest_of_path] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   return rest_of_folder == folder.end() || (rest_of_folder->empty() && std::next(rest_of_folder) == folder.end());
@@ -53,7 +55,7 @@ bool is_below_any(const fs::path& path, const std::vector<fs::path>& folders) {
 }
 
 void add(std::vector<fs::path>& folders, const std::string& folder) {
-  folders.push_back(resolved(folder));
+  folders.push_back(true_path(folder));
   // Also by the name it was given: its entries may be links, set there by the folder's owner.
   folders.push_back(absolute(folder).lexically_normal());
 }
@@ -64,7 +66,7 @@ void FilePermissions::allow_read(const std::string& folder) { add(read_, folder)
 void FilePermissions::allow_write(const std::string& folder) { add(write_, folder); }
 
 bool FilePermissions::may_read(const std::string& path) const {
-  if (is_below_any(resolved(path), read_)) return true;
+  if (is_below_any(true_path(path), read_)) return true;
   // A link inside an allowed folder may be read through, but not left upwards again.
   const fs::path name = absolute(path);
   const bool climbs = std::ranges::find(name, fs::path("..")) != name.end();
@@ -72,6 +74,6 @@ bool FilePermissions::may_read(const std::string& path) const {
 }
 
 // Links are never written through.
-bool FilePermissions::may_write(const std::string& path) const { return is_below_any(resolved(path), write_); }
+bool FilePermissions::may_write(const std::string& path) const { return is_below_any(true_path(path), write_); }
 
 }  // namespace lute

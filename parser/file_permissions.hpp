@@ -11,6 +11,10 @@
 
 namespace lute {
 
+// Absolute, with all links followed to the end, also to what does not exist yet: that is where a file would be made. Empty if the links
+// go round in a circle.
+std::filesystem::path true_path(const std::string& path);
+
 class FilePermissions {
  public:
   // Allows a folder and all below it. "" is the current folder.

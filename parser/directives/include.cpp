@@ -17,17 +17,10 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-// The one path of a file that has many.
-std::string true_path(const std::string& path) {
-  std::error_code error;
-  const fs::path result = fs::weakly_canonical(path, error);
-  return error ? path : result.string();
-}
-
 }  // namespace
 
 void Session::prepare_writing(const std::string& path) {
-  const std::string file = true_path(path);
+  const std::string file = true_path(path).string();
   written.insert(file);
   for (const auto& known : files) {
     if (known->storage.follows_file() && true_path(known->name) == file) known->keep_text();

@@ -80,27 +80,13 @@ ParsedValue parse_value(Session& session, ValueUse use) {
 
 namespace {
 
-// A value of the type that has this code.
-template <std::size_t... kIndex>
-Value any_of_type(std::size_t code, std::index_sequence<kIndex...>) {
-  Value value{Number()};
-  if (code <= 5) {
-    Number number;
-    number.count = static_cast<int>(code);
-    return number;
-  }
-  ((type_code(Value(std::in_place_index<kIndex>)) == code ? void(value = Value(std::in_place_index<kIndex>)) : void()), ...);
-  return value;
-}
-
 void check_element_type(Session& session, const Array& array, const Value& value) {
   const auto set = std::ranges::find_if(array.elements, [](const Value& element) { return !element.empty(); });
   // An array whose elements are all undefined again still knows what they were.
-  const Value known = set != array.elements.end()
-                          ? *set
-                          : any_of_type(array.type, std::make_index_sequence<std::variant_size_v<ValueVariant>>());
-  if (type_code(known) == type_code(value)) return;
-  session.fail("Attempted to redefine " + std::string(type_name(known)) + " as " + std::string(type_name(value)) + ".",
+  const bool any = set != array.elements.end();
+  if (any && type_code(*set) == type_code(value)) return;
+  session.fail("Attempted to redefine " + std::string(any ? type_name(*set) : array.type_name) + " as " +
+                   std::string(type_name(value)) + ".",
                "element-type");
 }
 
@@ -112,9 +98,12 @@ int nesting(const Value& value) {
 }
 
 void set_element(Session& session, Array& array, Value& element, Value value) {
-  if (array.type == 0) array.type = type_code(value);
-  if (array.type != type_code(value)) check_element_type(session, array, value);
-  array.type = type_code(value);
+  const std::size_t type = type_code(value);
+  if (array.type != type) {
+    if (array.type != 0) check_element_type(session, array, value);
+    array.type = type;
+    array.type_name = type_name(value);
+  }
   array.nesting = std::max(array.nesting, nesting(value) + 1);
   if (array.nesting > kMostArrayNesting) session.fail("Arrays are nested too deeply.", "limit-nesting");
   assign(session, element, std::move(value));

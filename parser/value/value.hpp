@@ -41,7 +41,8 @@ struct Array {
   std::vector<int> sizes;       // 1 to 5 of them
   std::vector<Value> elements;  // row-major; unset elements hold nothing. Never resized: macro arguments point to elements.
   int nesting = 1;              // arrays in arrays
-  std::size_t type = 0;         // index of Value's alternative, numbers distinguished by count; see type_code()
+  std::size_t type = 0;         // of what was assigned last: index of Value's alternative, numbers distinguished by count; see type_code()
+  std::string_view type_name;   // the same for messages
 };
 using ArrayPtr = std::shared_ptr<Array>;
 

@@ -38,17 +38,6 @@ Layers layers_of(const Texture& texture) {
   return layers;
 }
 
-// Up to version 3.1 layers do not filter what lies below them, whenever they are put on an object or together.
-TexturePtr upper_layers_unfiltered(const TexturePtr& texture) {
-  Layers layers = layers_of(*texture);
-  if (layers.size() < 2) return texture;
-  for (std::size_t i = 1; i < layers.size(); ++i) layers[i].pigment = unfiltered(layers[i].pigment);
-  Texture result;
-  result.where = texture->where;
-  result.content = std::move(layers);
-  return std::make_shared<const Texture>(std::move(result));
-}
-
 }  // namespace
 
 bool is_plain(const Texture& texture) { return std::holds_alternative<Layers>(texture.content); }
@@ -100,18 +89,24 @@ void fold_placement(TextureOnObject& texture) {
 }
 
 TexturePtr layered(Reader& reader, const TexturePtr& below, const TexturePtr& top) {
-  if (below == nullptr) return reader.version() <= 310 && is_plain(*top) ? upper_layers_unfiltered(top) : top;
-  if (!is_plain(*below)) reader.error("Cannot layer over a patterned texture.");
+  // Up to version 3.1 layers do not filter what lies below them, whenever they are put on an object or together.
+  const bool filters = reader.version() > 310;
+  const bool single = !is_plain(*top) || std::get<Layers>(top->content).size() < 2;
+  if (below == nullptr && (filters || single)) return top;
+  if (below != nullptr && !is_plain(*below)) reader.error("Cannot layer over a patterned texture.");
   if (!is_plain(*top)) reader.error("Cannot layer a patterned texture over another.");
-  charge_layers(reader, *below);
+  Layers layers;
+  if (below != nullptr) {
+    charge_layers(reader, *below);
+    layers = layers_of(*below);
+  }
   charge_layers(reader, *top);
-  Texture result;
-  result.where = top->where;
-  Layers layers = layers_of(*below);
   for (TextureLayer layer : layers_of(*top)) {
-    if (reader.version() <= 310) layer.pigment = unfiltered(layer.pigment);
+    if (!filters && !layers.empty()) layer.pigment = unfiltered(layer.pigment);
     layers.push_back(std::move(layer));
   }
+  Texture result;
+  result.where = top->where;
   result.content = std::move(layers);
   return shared(reader, std::move(result));
 }

@@ -18,11 +18,11 @@ std::vector<FunctionParameter> parse_parameters(Session& session) {
   reader.expect(TokenKind::kLeftParen);
   while (!reader.accept(TokenKind::kRightParen)) {
     const Item item = reader.take();
-    switch (item.word()) {
-      case Word::kX: case Word::kY: case Word::kZ: case Word::kU: case Word::kV: parameters.push_back({0, item.word()}); break;
-      default:
-        if (!item.is(TokenKind::kName)) session.fail_expected("parameter identifier", item);
-        parameters.push_back({item.token.index, Word::kNone});
+    if (is_coordinate(item.word())) {
+      parameters.push_back({0, item.word()});
+    } else {
+      if (!item.is(TokenKind::kName)) session.fail_expected("parameter identifier", item);
+      parameters.push_back({item.token.index, Word::kNone});
     }
     if (parameters.size() > kMostParameters) session.fail("Too many parameters", "function-parameters");
     reader.comma();

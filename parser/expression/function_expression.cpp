@@ -200,27 +200,24 @@ Node parse_select(FunctionScope& scope) {
   return scope.builder.select(a[0], a[1], a[2], a.size() == 4 ? a[3] : a[2]);
 }
 
-bool is_coordinate(Word word) {
-  return word == Word::kX || word == Word::kY || word == Word::kZ || word == Word::kU || word == Word::kV;
-}
-
 // sum(i, from, to, term): `i` is a new name inside the term. A coordinate may stand there, but stays what it is.
 Node parse_repetition(FunctionScope& scope, bool product) {
   Reader& reader = scope.session.reader;
   reader.expect(TokenKind::kLeftParen);
   const Item name = reader.peek();
-  if (!name.is(TokenKind::kName) && !is_coordinate(name.word())) scope.session.fail_expected("undeclared identifier", name);
+  const bool runs = name.is(TokenKind::kName);
+  if (!runs && !is_coordinate(name.word())) scope.session.fail_expected("undeclared identifier", name);
   reader.take();
-  if (is_coordinate(name.word())) scope.session.warn("The variable of sum() or prod() needs a name of its own: a coordinate does not run.", "function");
+  if (!runs) scope.session.warn("The variable of sum() or prod() needs a name of its own: a coordinate does not run.", "function");
   reader.expect(TokenKind::kComma);
   const Node from = parse_expression(scope);
   reader.expect(TokenKind::kComma);
   const Node to = parse_expression(scope);
   reader.expect(TokenKind::kComma);
   const Node local = scope.builder.local();
-  if (name.is(TokenKind::kName)) scope.locals.emplace_back(name.token.index, local);
+  if (runs) scope.locals.emplace_back(name.token.index, local);
   const Node term = parse_expression(scope);
-  if (name.is(TokenKind::kName)) scope.locals.pop_back();
+  if (runs) scope.locals.pop_back();
   reader.expect(TokenKind::kRightParen);
   return product ? scope.builder.product(local, from, to, term) : scope.builder.sum(local, from, to, term);
 }

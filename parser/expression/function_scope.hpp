@@ -15,6 +15,11 @@ struct FunctionParameter {
   Word word = Word::kNone;
 };
 
+// x, y, z, u or v: they stand for parameters.
+inline bool is_coordinate(Word word) {
+  return word == Word::kX || word == Word::kY || word == Word::kZ || word == Word::kU || word == Word::kV;
+}
+
 struct FunctionScope {
   Session& session;
   ExpressionBuilder builder;

@@ -128,7 +128,10 @@ std::u16string parse_datetime(Session& session) {
   }
   for (std::size_t at = 0; (at = format.find('%', at)) != format.npos;) {  // no names of time zones
     const bool zone = at + 1 < format.size() && (format[at + 1] == 'Z' || format[at + 1] == 'z');
-    zone ? void(format.erase(at, 2)) : void(at += 2);
+    if (zone)
+      format.erase(at, 2);
+    else
+      at += 2;
   }
   std::array<char, 1024> text{};
   const std::size_t length = std::strftime(text.data(), text.size(), format.c_str(), &parts);

@@ -50,7 +50,6 @@ class Program::Enclosing {
   static constexpr int kMostSteps = 4000;  // loops and branches within branches
 
  private:
-
   static Enclosure condition(const Instruction& i, const std::vector<Enclosure>& r) {
     switch (i.op) {
       case Op::kJumpUnlessNegative: return lute::enclose(BinaryOp::kLess, r[i.a], 0);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "tests/conformance/first_error.hpp"
-#include "tests/file_text.hpp"
 #include "tests/golden.hpp"
+#include "tests/parser/diagnostic/golden_scene_list.hpp"
 
 namespace lute::compare {
 namespace {
@@ -23,19 +23,10 @@ struct Golden {
 };
 
 std::vector<Golden> golden_scenes() {
-  const std::string text = test::file_text(kFolder / "errors.golden");
-  const std::string scene_mark = "==== scene\n", says_mark = "---- says\n";
   std::vector<Golden> all;
-  for (std::size_t at = text.find(scene_mark); at != std::string::npos;) {
-    const std::size_t says = text.find(says_mark, at), next = text.find(scene_mark, says);
-    Golden golden;
-    golden.scene = text.substr(at + scene_mark.size(), says - at - scene_mark.size());
-    if (!golden.scene.starts_with("#version")) {
-      golden.scene = "#version 3.7; global_settings { assumed_gamma 1 }\n" + golden.scene;
-    }
-    golden.error = error_told_by_lute(text.substr(says, next - says));
-    all.push_back(golden);
-    at = next;
+  for (const auto& [scene, says] : test::read_golden_scenes(kFolder / "errors.golden").cases) {
+    const std::string head = scene.starts_with("#version") ? "" : "#version 3.7; global_settings { assumed_gamma 1 }\n";
+    all.push_back({head + scene, error_told_by_lute(says)});
   }
   return all;
 }
@@ -49,18 +40,23 @@ bool shows_a_limit(const Golden& golden) {
 }
 
 TEST(ErrorMessages, AreTheReferencesButForTheRecordedOnes) {
-  int compared = 0;
-  std::string differences;
+  std::vector<Golden> compared;
+  std::vector<std::string> scenes;
   for (const Golden& golden : golden_scenes()) {
     EXPECT_NE(golden.error, "accepted") << golden.scene;
     if (shows_a_limit(golden)) continue;
-    ++compared;
-    const std::string reference = reference_error(golden.scene, kFolder / "errors");
-    if (reference == golden.error) continue;
-    const std::size_t head = golden.scene.starts_with("#version 3.7; global") ? golden.scene.find('\n') + 1 : 0;
-    differences += golden.scene.substr(head) + "  lute:    " + golden.error + "\n  POV-Ray: " + reference + "\n";
+    compared.push_back(golden);
+    scenes.push_back(golden.scene);
   }
-  EXPECT_GE(compared, 240);
+  EXPECT_GE(compared.size(), 240u);
+  const std::vector<std::string> references = reference_errors(scenes, kFolder / "errors");
+  std::string differences;
+  for (std::size_t i = 0; i < compared.size(); ++i) {
+    const auto& [scene, error] = compared[i];
+    if (references[i] == error) continue;
+    const std::size_t head = scene.starts_with("#version 3.7; global") ? scene.find('\n') + 1 : 0;
+    differences += scene.substr(head) + "  lute:    " + error + "\n  POV-Ray: " + references[i] + "\n";
+  }
   test::expect_golden(LUTE_SOURCE_DIR "/tests/conformance/error_differences.golden", differences);
 }
 

@@ -1,10 +1,12 @@
 // The first error that a program finds in a scene, as "FILE:LINE: MESSAGE"; "accepted" if there is none.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <regex>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -43,6 +45,20 @@ inline std::string reference_error(const std::string& scene, const std::filesyst
   }
   if (said.find("Fatal error") == std::string::npos) return "accepted";
   return std::regex_search(said, found, anywhere) ? "test.pov:0: " + joined(found[1].str()) : "another error";
+}
+
+// The same of many scenes, several at a time: POV-Ray sleeps most of the half second that it takes for each.
+inline std::vector<std::string> reference_errors(const std::vector<std::string>& scenes, const std::filesystem::path& files) {
+  constexpr int kAtOnce = 6;
+  std::vector<std::string> errors(scenes.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < scenes.size();) errors[i] = reference_error(scenes[i], files);
+  };
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < kAtOnce; ++i) threads.emplace_back(work);
+  threads.clear();  // waits for them
+  return errors;
 }
 
 inline std::string error_told_by_lute(const std::string& said) {

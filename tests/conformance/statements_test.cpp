@@ -5,6 +5,7 @@
 
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/conformance/first_error.hpp"
 #include "tests/file_text.hpp"
@@ -17,19 +18,21 @@ const std::filesystem::path kFiles = LUTE_SOURCE_DIR "/tests/parser/diagnostic/e
 const std::string kFolder = LUTE_SOURCE_DIR "/tests/conformance/";
 
 TEST(Statements, AreAcceptedOrRefusedAsByTheReference) {
-  std::istringstream scenes(test::file_text(kFolder + "statements.txt"));
-  std::string differences;
-  int compared = 0;
-  for (std::string line; std::getline(scenes, line);) {
+  std::istringstream text(test::file_text(kFolder + "statements.txt"));
+  std::vector<std::string> lines, scenes;
+  for (std::string line; std::getline(text, line);) {
     if (line.empty() || line.starts_with("//")) continue;
-    ++compared;
     const std::string head = line.starts_with("#version") ? "" : "#version 3.7; global_settings { assumed_gamma 1 }\n";
-    const std::string scene = head + line + "\n";
-    const std::string lute = error_told_by_lute(said_about(scene, kFiles, {LUTE_BINARY_DIR "/lute", "--check", "test.pov"}));
-    const std::string reference = reference_error(scene, kFiles);
-    if (lute != reference) differences += line + "\n  lute:    " + lute + "\n  POV-Ray: " + reference + "\n";
+    lines.push_back(line);
+    scenes.push_back(head + line + "\n");
   }
-  EXPECT_GE(compared, 700);
+  EXPECT_GE(lines.size(), 700u);
+  const std::vector<std::string> references = reference_errors(scenes, kFiles);
+  std::string differences;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string lute = error_told_by_lute(said_about(scenes[i], kFiles, {LUTE_BINARY_DIR "/lute", "--check", "test.pov"}));
+    if (lute != references[i]) differences += lines[i] + "\n  lute:    " + lute + "\n  POV-Ray: " + references[i] + "\n";
+  }
   test::expect_golden(kFolder + "statement_differences.golden", differences);
 }
 

@@ -17,6 +17,14 @@ CsgKind kind_of(CsgOperation operation) {
   return CsgKind::kUnion;
 }
 
+// What is built of a combination that stands where `inverse` is in force or not.
+CsgKind kind_of(const Csg& csg, bool inverse) {
+  const CsgKind kind = kind_of(csg.operation);
+  return inverse ? inverted(kind) : kind;
+}
+
+bool has_limits(const Object& object) { return !object.extras->clipped_by.empty() || !object.extras->bounded_by.empty(); }
+
 bool is_light(const Object& object) { return object.light() != nullptr; }
 
 // The shapes whose bounding object is kept at top level (§7.2).
@@ -66,7 +74,7 @@ long SceneBuilder::count_solids(const Object& object) const {
 
 bool SceneBuilder::dissolves(const Object& object, const Csg& csg, const Context& own) const {
   if (kind_of(csg.operation) != CsgKind::kUnion || own.inverted) return false;
-  return csg.split_union && object.extras->clipped_by.empty() && object.extras->bounded_by.empty();
+  return csg.split_union && !has_limits(object);
 }
 
 std::unique_ptr<Solid> SceneBuilder::solid(const Object& object, const Context& own, bool top_level) {
@@ -97,43 +105,66 @@ std::unique_ptr<Solid> SceneBuilder::leaf(const Object& object, const Context& o
 }
 
 std::unique_ptr<Solid> SceneBuilder::combination(const Object& object, const Csg& csg, const Context& own) {
-  CsgKind kind = kind_of(csg.operation);
-  if (own.inverted) kind = inverted(kind);
-  SolidList parts = children(object, csg, own);
+  const CsgKind kind = kind_of(csg, own.inverted);
+  Parts parts = children(object, csg, own);
   Visibility visibility = own.visibility;
   // A union of nothing but no_shadow parts casts none as a whole (§6.6).
-  if (kind == CsgKind::kUnion && !parts.empty())
+  if (kind == CsgKind::kUnion && !parts.solids.empty())
     visibility.no_shadow =
-        visibility.no_shadow || std::ranges::all_of(parts, [](const auto& part) { return part->visibility.no_shadow; });
+        visibility.no_shadow || std::ranges::all_of(parts.solids, [](const auto& part) { return part->visibility.no_shadow; });
   Limits limit = limits(object, own);
-  auto built = std::make_unique<CsgSolid>(kind, std::move(parts), std::move(limit.clips), std::move(limit.bounds));
+  if (parts.family_count == 1) parts.families.clear();
+  auto built = std::make_unique<CsgSolid>(kind, std::move(parts.solids), std::move(limit.clips), std::move(limit.bounds),
+                                          std::move(parts.families));
   built->visibility = visibility;
   return built;
 }
 
-SceneBuilder::SolidList SceneBuilder::children(const Object& object, const Csg& csg, const Context& own) {
+SceneBuilder::Parts SceneBuilder::children(const Object& object, const Csg& csg, const Context& own) {
   const Context down = context_for_children(object, csg, own);
-  SolidList parts;
+  const CsgKind kind = kind_of(csg, own.inverted);
+  Parts parts;
   for (std::size_t i = 0; i < csg.children.size(); ++i) {
     const Object& child = *csg.children[i];
     Context parent = down;
     if (csg.operation == CsgOperation::kDifference && i > 0) parent.inverted = !parent.inverted;
     const Context resolved = resolve(child, parent);
     if (!is_light(child))
-      parts.push_back(solid(child, resolved, false));
+      add_part(child, resolved, kind, parts);
     else if (!geometry_only_)
       add_light(*child.light(), child, resolved);
     else if (const auto& form = child.light()->looks_like; form != nullptr)  // a light counts as what it looks like
-      parts.push_back(solid(*form, resolve(*form, resolved), false));
+      add_part(*form, resolve(*form, resolved), kind, parts);
   }
   return parts;
 }
 
+// An intersection in an intersection is dissolved: a hit is asked once for each part, not once for each part and level. In reverse,
+// since among hits of equal depths the order turns around at every level. Cut surfaces that lack a texture ask the levels, so these stay.
+void SceneBuilder::add_part(const Object& object, const Context& own, CsgKind outer, Parts& parts) {
+  const Csg* csg = object.csg();
+  const bool dissolved = csg != nullptr && all_children_needed(outer) && all_children_needed(kind_of(*csg, own.inverted)) &&
+                         !has_limits(object) && !own.cutaway;
+  if (!dissolved) {
+    parts.solids.push_back(solid(object, own, false));
+    parts.families.push_back(0);
+    return;
+  }
+  Parts inner = children(object, *csg, own);
+  if (inner.solids.empty()) {  // nothing but lights: no point is inside
+    inner.solids.push_back(std::make_unique<CsgSolid>(CsgKind::kIntersection, SolidList()));
+    inner.families.push_back(0);
+  }
+  for (std::size_t i = inner.solids.size(); i-- > 0;) {
+    parts.solids.push_back(std::move(inner.solids[i]));
+    parts.families.push_back(parts.family_count + inner.families[i]);
+  }
+  parts.family_count += inner.family_count;
+}
+
 SceneBuilder::Context SceneBuilder::context_for_children(const Object&, const Csg& csg, const Context& own) {
   Context down = own;
-  CsgKind kind = kind_of(csg.operation);
-  if (own.inverted) kind = inverted(kind);
-  down.stays_untextured = down.cutaway && (kind == CsgKind::kIntersection || kind == CsgKind::kDifference);
+  down.stays_untextured = down.cutaway && all_children_needed(kind_of(csg, own.inverted));
   down.group_member = csg.operation == CsgOperation::kLightGroup;
   return down;
 }

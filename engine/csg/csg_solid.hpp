@@ -1,7 +1,8 @@
 // A combination of solids: union that is kept whole, merge, intersection, difference. Source: specification chapter 20 §6.
 //
 // The builder has already applied `inverse`: the cutters of a difference arrive inverted (leaves marked, unions and merges turned
-// into intersections, intersections and differences into merges), and unions that may be split are gone.
+// into intersections, intersections and differences into merges), and unions that may be split are gone. So are intersections and
+// differences without limits of their own inside of others: their children belong to the outer one.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +24,9 @@ constexpr CsgKind inverted(CsgKind kind) {
   return kind == CsgKind::kUnion || kind == CsgKind::kMerge ? CsgKind::kIntersection : CsgKind::kMerge;
 }
 
+// True if a point of the combination is inside of every child.
+constexpr bool all_children_needed(CsgKind kind) { return kind == CsgKind::kIntersection || kind == CsgKind::kDifference; }
+
 class CsgSolid final : public Solid {
  public:
   using Children = std::vector<std::unique_ptr<Solid>>;
@@ -30,8 +34,9 @@ class CsgSolid final : public Solid {
   using CutawayShares = std::vector<std::pair<const Leaf*, double>>;
 
   // Hits are marked with the outermost combination (unions mark only when clipped), so that surfaces which cutaway_textures left
-  // without a texture can ask it for theirs.
-  CsgSolid(CsgKind kind, Children children, SharedSolids clips = {}, SharedSolids bounds = {});
+  // without a texture can ask it for theirs. `families`: for each child the number of the combination that it was declared in, if some
+  // came out of one that is gone; empty if all were declared in this.
+  CsgSolid(CsgKind kind, Children children, SharedSolids clips = {}, SharedSolids bounds = {}, std::vector<std::uint32_t> families = {});
 
   CsgKind kind() const { return kind_; }
   const Children& children() const { return children_; }
@@ -51,7 +56,8 @@ class CsgSolid final : public Solid {
   void cutaway_shares(const dvec3& point, CutawayShares& out) const;
 
  private:
-  bool all_children_needed() const { return kind_ == CsgKind::kIntersection || kind_ == CsgKind::kDifference; }
+  bool all_children_needed() const { return lute::all_children_needed(kind_); }
+  bool one_family(std::size_t a, std::size_t b) const { return families_.empty() || families_[a] == families_[b]; }
   // Asking a few children costs no more than remembering which of them refused.
   bool remembers_refusals() const { return children_.size() > 8; }
   bool child_visible(const Solid& child, RayKind kind) const;
@@ -76,6 +82,7 @@ class CsgSolid final : public Solid {
   Children children_;
   std::vector<const LeafSolid*> leaves_;  // the children that are unclipped leaves, most of them; null for the others
   SharedSolids clips_, bounds_;
+  std::vector<std::uint32_t> families_;
   ChildTree tree_;
   ChildTree refusals_;  // of an intersection: the children that may not have a point inside; of many cutters few
 };

@@ -1,6 +1,8 @@
 // What objects pass to their parts. Source: specification chapters 11 §14.1 and 20 §6, §8.
 #include "tests/engine/shade/test_scene.hpp"
 
+#include <functional>
+
 #include "engine/build/geometry_answers.hpp"
 #include "engine/csg/csg_solid.hpp"
 
@@ -106,6 +108,26 @@ TEST(Difference, CuttersArriveInverted) {  // chapter 20 §6.3
   EXPECT_EQ(dynamic_cast<const CsgSolid&>(*solid.children()[1]).kind(), CsgKind::kMerge);
   EXPECT_FALSE(solid.inside({0, 0, -.5}));
   EXPECT_TRUE(solid.inside({0, 0, .5}));
+}
+
+TEST(Intersection, TakesInThePartsOfAnIntersectionInside) {
+  const auto parts = [](const std::function<void(Object&)>& change) {
+    auto inner = csg(CsgOperation::kIntersection, {ball(), object(sphere({0, .1, 0}, 1))});
+    change(*inner);
+    const auto built = built_scene(scene({csg(CsgOperation::kDifference, {inner, far_ball(), far_ball()})}));
+    return dynamic_cast<const CsgSolid&>(*built->solids[0]).children().size();
+  };
+  EXPECT_EQ(parts([](Object&) {}), 4u);
+  EXPECT_EQ(parts([](Object& o) { o.inverse = true; }), 3u);  // a merge
+  EXPECT_EQ(parts([](Object& o) { o.extras.edit().clipped_by = {object(plane({1, 0, 0}, 0))}; }), 3u);
+  EXPECT_EQ(parts([](Object& o) { o.edit_csg()->cutaway_textures = true; }), 3u);
+}
+
+// What holds no solid has no inside, and neither has an intersection with it.
+TEST(Intersection, WithNothingButALightInsideIsEmpty) {
+  auto lights = csg(CsgOperation::kIntersection, {light({0, 0, -10})});
+  const auto built = built_scene(scene({csg(CsgOperation::kIntersection, {ball(), lights})}));
+  EXPECT_FALSE(built->solids[0]->inside({0, 0, 0}));
 }
 
 TEST(Clip, StaysWhereItIsWhenTheObjectMovesBeforeIt) {

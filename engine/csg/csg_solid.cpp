@@ -18,6 +18,7 @@ CsgSolid::CsgSolid(CsgKind kind, Children children, SharedSolids clips, SharedSo
   for (const auto& child : children_) {
     const auto* leaf = dynamic_cast<const LeafSolid*>(child.get());
     leaves_.push_back(leaf != nullptr && leaf->unclipped() ? leaf : nullptr);
+    if (all_children_needed() && leaves_.back() != nullptr && leaf->limits_rays()) limits_.push_back(leaf);
   }
   opaque = std::ranges::all_of(children_, [](const auto& child) { return child->opaque; });
 }
@@ -134,6 +135,11 @@ bool CsgSolid::meets_bounds(const Ray& ray) const {
   return bounds_.empty() || meets_all(bounds_, ray);
 }
 
+// A hit of an intersection lies inside of all children: leaves in `range` what some of them can tell at once. False if that is nothing.
+bool CsgSolid::limit(const Ray& ray, Interval& range) const {
+  return std::ranges::all_of(limits_, [&](const LeafSolid* leaf) { return leaf->limit(ray, range); });
+}
+
 // Whether child `i` removes a hit of `child`: in an intersection it must be inside of all others, in a merge inside of none. Of two
 // equal spheres that cut, or limit, one wall stays: their surface is inside of neither. (Where one of them was declared in an inner
 // combination, it was asked as a whole, and the wall goes.)
@@ -161,7 +167,7 @@ bool CsgSolid::survives(std::size_t child, const dvec3& point, RayKind kind, Rec
 }
 
 void CsgSolid::hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const {
-  if (!meets_bounds(ray)) return;
+  if (!limit(ray, range) || !meets_bounds(ray)) return;
   RecentRefusals recent;
   const auto collect = [&](std::size_t i) {
     const auto first = static_cast<std::ptrdiff_t>(out.size());
@@ -213,7 +219,7 @@ void CsgSolid::hits_of_child(std::size_t child, const Ray& ray, Interval range, 
 bool CsgSolid::nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) const {
   if (kind_ == CsgKind::kUnion && clips_.empty()) return nearest_in_union(ray, range, kind, hit);
   // Child by child, so that a near hit spares the inside tests of those behind it.
-  if (!meets_bounds(ray)) return false;
+  if (!limit(ray, range) || !meets_bounds(ray)) return false;
   RecentRefusals recent;
   bool any_found = false;
   std::uint32_t best = 0;
@@ -252,7 +258,7 @@ bool CsgSolid::nearest_in_union(const Ray& ray, Interval range, RayKind kind, Hi
 }
 
 bool CsgSolid::any(const Ray& ray, Interval range, RayKind kind) const {
-  if (!meets_bounds(ray)) return false;
+  if (!limit(ray, range) || !meets_bounds(ray)) return false;
   const bool each_counts = kind_ == CsgKind::kUnion && clips_.empty();
   RecentRefusals recent;
   bool found = false;

@@ -65,6 +65,7 @@ class CsgSolid final : public Solid {
   bool refuses(std::size_t i, std::size_t child, const dvec3& point, RayKind kind) const;
   bool in_clips(const dvec3& point) const;
   bool meets_bounds(const Ray& ray) const;
+  bool limit(const Ray& ray, Interval& range) const;
   ChildTree set_boxes();
   Aabb narrowed(const Aabb& region) const;
   Aabb child_hits_within(const Solid& child, const Aabb& region) const;
@@ -81,6 +82,7 @@ class CsgSolid final : public Solid {
   bool box_cuts_ = false;  // `box` came from the bounds and may be smaller than the content
   Children children_;
   std::vector<const LeafSolid*> leaves_;  // the children that are unclipped leaves, most of them; null for the others
+  std::vector<const LeafSolid*> limits_;  // of an intersection: those that narrow the range of a ray for all others
   SharedSolids clips_, bounds_;
   std::vector<std::uint32_t> families_;
   ChildTree tree_;

@@ -38,6 +38,10 @@ class LeafSolid final : public Solid {
     return !patch_ && inverted_ == other.inverted_ && !(inverted_ ? shape().inside(point) : shape().inside_inverted(point));
   }
 
+  // Of an unclipped leaf: see Shape::limit.
+  bool limits_rays() const { return !patch_ && shape().limits_rays(); }
+  bool limit(const Ray& ray, Interval& range) const { return shape().limit(ray, inverted_, range); }
+
   void hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const override;
   bool nearest(const Ray& ray, Interval range, RayKind kind, Hit& hit) const override;
   bool any(const Ray& ray, Interval range, RayKind kind) const override;

@@ -1,5 +1,6 @@
 #include "engine/shape/plane.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/shape/scanned_shape.hpp"
@@ -67,6 +68,22 @@ class HalfSpace final : public ScannedShape<HalfSpace> {
   dvec3 normal(const ShapeHit&, const dvec3&) const override { return normal_; }
   bool tests_own_box() const override { return false; }
   bool finds_bounds_fast() const override { return true; }
+  bool limits_rays() const override { return true; }
+  bool limit(const Ray& ray, bool inverted, Interval& range) const override {
+    const double sign = inverted ? -1 : 1, slope = sign * glm::dot(normal_, ray.direction);
+    // Where slopes are smaller, the rounding of a point far out exceeds the margin.
+    constexpr double kLeastSlope = 1e-6, kMargin = 1e-9;
+    if (std::abs(slope) < kLeastSlope) return true;
+    const dvec3 far = glm::abs(ray.origin);
+    const double margin = tolerance_ + kMargin * (std::abs(distance_) + far.x + far.y + far.z);
+    const double t = (sign * (distance_ - glm::dot(normal_, ray.origin)) + margin) / slope;
+    if (slope > 0) {
+      range.hi = std::min(range.hi, t);
+    } else {
+      range.lo = std::max(range.lo, t);
+    }
+    return range.lo <= range.hi;
+  }
 
  private:
   double height(const dvec3& point) const { return glm::dot(normal_, point) - distance_; }

@@ -99,6 +99,11 @@ class Shape {
 
   // True where finding a hit costs so much, and a shorter range so much less, that clips are asked first where along the ray they are.
   virtual bool prefers_clipped_range() const { return false; }
+
+  // For shapes that divide a ray once and fast. Takes from a stretch of a ray what is outside of the shape (inside, when inverted), a
+  // little generously, so that no point is lost that the inside test accepts. False if nothing is left.
+  virtual bool limits_rays() const { return false; }
+  virtual bool limit(const Ray&, bool /*inverted*/, Interval&) const { return true; }
 };
 
 // What building a shape may need besides its description: caches shared by all copies of one description in a scene.

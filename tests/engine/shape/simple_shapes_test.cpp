@@ -201,6 +201,35 @@ void expect_scale_free(Describe describe) {
   }
 }
 
+// Points of random rays around the surface: what the inside test accepts stays within the range, what is clearly outside does not.
+TEST(Plane, LimitsARayToWhereItIsInside) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> side(-1, 1), exponent(-16, 0);
+  int removed = 0;
+  for (int turn = 0; turn < 40000; ++turn) {
+    const double size = std::pow(10.0, 6 * side(random));
+    const auto draw = [&] { return dvec3(side(random), side(random), side(random)); };
+    const bool inverted = turn % 2 != 0;
+    const auto shape = make(Plane{draw(), size * side(random)});
+    const Ray ray{size * draw(), glm::normalize(draw())};
+    const double steep = glm::dot(ray.direction, shape->normal({}, {}));
+    ShapeHit hit{100 * size * side(random), 0};
+    shape->nearest(ray, {-1e300, 1e300}, hit);
+    const double t = hit.t + size * side(random) * std::pow(10.0, exponent(random)) / std::max(std::abs(steep), 1e-6);
+    Interval range{-1e300, 1e300};
+    const bool left = shape->limit(ray, inverted, range);
+    const bool kept = left && t >= range.lo && t <= range.hi;
+    const bool inside = inverted ? shape->inside_inverted(ray.at(t)) : shape->inside(ray.at(t));
+    if (inside) {
+      EXPECT_TRUE(kept) << turn;
+    } else if (std::abs(t - hit.t) * std::abs(steep) > 1e-7 * size + 1e-9 && std::abs(steep) > 1e-5) {
+      EXPECT_FALSE(kept) << turn;
+      ++removed;
+    }
+  }
+  EXPECT_GT(removed, 5000);
+}
+
 TEST(Sphere, IsScaleFree) { expect_scale_free([](double s) { return Sphere{dvec3(.1 * s), .9 * s}; }); }
 TEST(Box, IsScaleFree) { expect_scale_free([](double s) { return Box{dvec3(-.7 * s), dvec3(.8 * s)}; }); }
 TEST(Plane, IsScaleFree) { expect_scale_free([](double s) { return Plane{{1, 2, 3}, .3 * s}; }); }

@@ -52,7 +52,8 @@ Interval range_inside_all(const SharedSolids& solids, const Ray& ray, Interval r
 bool meets_all(const SharedSolids& bounds, const Ray& ray) {
   constexpr Interval kAhead{1e-4, std::numeric_limits<double>::infinity()};
   return std::ranges::all_of(bounds, [&](const auto& bound) {
-    return bound->inside(ray.origin) || (meets_box(ray, kAhead, bound->box()) && bound->any(ray, kAhead, RayKind{}));
+    if (bound->inside(ray.origin)) return true;
+    return (!bound->keeps_box() || meets_box(ray, kAhead, bound->box())) && bound->any(ray, kAhead, RayKind{});
   });
 }
 

@@ -94,6 +94,8 @@ class Solid {
   virtual bool plain_inside(const dvec3& point) const = 0;  // without own clips: camera containment, cutaway
   virtual void leaves(std::vector<const Leaf*>& out) const = 0;
 
+  // False where box() has to be found each time, but a ray is tested against the solid as fast.
+  bool keeps_box() const { return boxes_ != nullptr; }
   // Around every hit: bounds after CSG rules, clips and bounded_by.
   Aabb box() const { return boxes_ != nullptr ? boxes_->hits : own_box(); }
   // Around every point that inside() accepts.

@@ -6,33 +6,9 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "engine/function/open_loops.hpp"
+
 namespace lute {
-
-namespace {
-
-// The loops that are open, over all programs that call each other: each may be short and all together endless.
-struct OpenLoops {
-  int depth = 0;
-  double turns = 0;
-
-  void enter(double from, double to, double calls) {
-    if (!(from <= to)) {
-      ++depth;
-      return;
-    }
-    constexpr double kLargestCounted = 4503599627370496;  // adding 1 changes what is smaller
-    if (depth == 0) turns = 0;
-    turns += to - from + calls;
-    if (!(turns <= kMostTurns) || from < -kLargestCounted || to > kLargestCounted) {
-      depth = 0;
-      throw calls > 0 ? EndlessFunction::calls() : EndlessFunction::loops();
-    }
-    ++depth;
-  }
-};
-thread_local OpenLoops open_loops;
-
-}  // namespace
 
 void Program::evaluate(const double* arguments, double* results) const {
   constexpr std::size_t kOnStack = 128;
@@ -46,28 +22,58 @@ void Program::evaluate(const double* arguments, double* results) const {
   std::copy_n(arguments, parameter_count(), r);
   std::copy(constants_.begin(), constants_.end(), r + parameter_count());
 
-  const std::size_t end = code_.size();
-  for (std::size_t pc = 0; pc < end;) {
-    const Instruction& i = code_[pc++];
-    switch (i.op) {
-      case Op::kUnary: r[i.target] = apply(static_cast<UnaryOp>(i.detail), r[i.a]); break;
-      case Op::kBinary: r[i.target] = apply(static_cast<BinaryOp>(i.detail), r[i.a], r[i.b]); break;
-      case Op::kMove: r[i.target] = r[i.a]; break;
+  const Instruction* const code = code_.data();
+  for (const Instruction* i = code;;) {
+    const Instruction& now = *i++;
+    switch (now.op) {
+      case Op::kAdd: r[now.target] = r[now.a] + r[now.b]; break;
+      case Op::kSubtract: r[now.target] = r[now.a] - r[now.b]; break;
+      case Op::kMultiply: r[now.target] = r[now.a] * r[now.b]; break;
+      case Op::kMultiplyAdd: r[now.target] = r[now.a] * r[now.b] + r[now.jump]; break;
+      case Op::kNegate: r[now.target] = -r[now.a]; break;
+      case Op::kAbs: r[now.target] = std::fabs(r[now.a]); break;
+      case Op::kSqrt: r[now.target] = std::sqrt(r[now.a]); break;
+      case Op::kSin: r[now.target] = std::sin(r[now.a]); break;
+      case Op::kCos: r[now.target] = std::cos(r[now.a]); break;
+      case Op::kUnary: r[now.target] = apply(static_cast<UnaryOp>(now.detail), r[now.a]); break;
+      case Op::kBinary: r[now.target] = apply(static_cast<BinaryOp>(now.detail), r[now.a], r[now.b]); break;
+      case Op::kMove: r[now.target] = r[now.a]; break;
       case Op::kCall: {
         double out[5];  // no function has more results
-        callees_[i.b]->evaluate(r + i.a, out);
-        r[i.target] = out[i.detail];
+        callees_[now.b]->evaluate(r + now.a, out);
+        r[now.target] = out[now.detail];
         break;
       }
-      case Op::kJump: pc = i.jump; break;
-      case Op::kJumpUnlessNegative: if (!(r[i.a] < 0)) pc = i.jump; break;
-      case Op::kJumpUnlessZero: if (!(r[i.a] == 0)) pc = i.jump; break;
-      case Op::kJumpUnlessLessEqual: if (!(r[i.a] <= r[i.b])) pc = i.jump; break;
-      case Op::kEnterLoop: open_loops.enter(r[i.a], r[i.b], i.jump); break;
-      case Op::kLeaveLoop: --open_loops.depth; break;
+      case Op::kJump: i = code + now.jump; break;
+      case Op::kJumpUnlessNegative: if (!(r[now.a] < 0)) i = code + now.jump; break;
+      case Op::kJumpUnlessZero: if (!(r[now.a] == 0)) i = code + now.jump; break;
+      case Op::kJumpUnlessLessEqual: if (!(r[now.a] <= r[now.b])) i = code + now.jump; break;
+      case Op::kEnterLoop: open_loops().enter(OpenLoops::turns_of(r[now.a], r[now.b], now.jump), now.jump); break;
+      case Op::kLeaveLoop: --open_loops().depth; break;
+      case Op::kReturn: results[0] = r[result_]; return;
+      default: __builtin_unreachable();  // spares a comparison for each instruction
     }
   }
-  results[0] = r[result_];
+}
+
+Program::Op Program::op_of(UnaryOp op) {
+  switch (op) {
+    case UnaryOp::kNegate: return Op::kNegate;
+    case UnaryOp::kAbs: return Op::kAbs;
+    case UnaryOp::kSqrt: return Op::kSqrt;
+    case UnaryOp::kSin: return Op::kSin;
+    case UnaryOp::kCos: return Op::kCos;
+    default: return Op::kUnary;
+  }
+}
+
+Program::Op Program::op_of(BinaryOp op) {
+  switch (op) {
+    case BinaryOp::kAdd: return Op::kAdd;
+    case BinaryOp::kSubtract: return Op::kSubtract;
+    case BinaryOp::kMultiply: return Op::kMultiply;
+    default: return Op::kBinary;
+  }
 }
 
 // Turns the expression into code. A node computed outside a branch or loop is known inside it, not the other way round: the
@@ -83,7 +89,11 @@ class ProgramEmitter {
   }
 
   Program emit(ExpressionBuilder::Node root) {
+    uses_.resize(builder_.nodes_.size());
+    for (const auto& data : builder_.nodes_)
+      for (const Node input : data.inputs) ++uses_[input];
     program_.result_ = node(root);
+    jump(Op::kReturn);
     program_.register_count_ = next_register_;
     std::uint32_t depth = 0;
     for (const FunctionPtr& callee : program_.callees_) depth = std::max(depth, callee->depth());
@@ -132,7 +142,7 @@ class ProgramEmitter {
   }
   void land(std::size_t jump_index) { program_.code_[jump_index].jump = static_cast<std::uint32_t>(program_.code_.size()); }
   Register multiply(Register a, Register b) {
-    return push(Op::kBinary, static_cast<std::uint8_t>(BinaryOp::kMultiply), a, b);
+    return push(Op::kMultiply, static_cast<std::uint8_t>(BinaryOp::kMultiply), a, b);
   }
 
   Register node(Node n) {
@@ -166,7 +176,7 @@ class ProgramEmitter {
       case Kind::kParameter: return static_cast<Register>(data.index);
       case Kind::kLocal: return locals_.at(data.index);
       case Kind::kGroup: return node(data.inputs[0]);
-      case Kind::kUnary: return push(Op::kUnary, data.detail, node(data.inputs[0]));
+      case Kind::kUnary: return push(Program::op_of(static_cast<UnaryOp>(data.detail)), data.detail, node(data.inputs[0]));
       case Kind::kBinary: return binary(data);
       case Kind::kSelect: return select(data);
       case Kind::kSum: return repeat(data, BinaryOp::kAdd, 0);
@@ -178,13 +188,31 @@ class ProgramEmitter {
 
   Register binary(const ExpressionBuilder::Data& data) {
     const auto op = static_cast<BinaryOp>(data.detail);
+    if (op == BinaryOp::kAdd) return sum(data);
     const Register a = node(data.inputs[0]);
     double c = 0;
     if (builder_.is_constant(data.inputs[1], &c)) {
       if (op == BinaryOp::kDivide) return multiply(a, constant_register(1.0 / c));
       if (op == BinaryOp::kPow && c == std::floor(c) && c >= 0 && c <= 8 && c != 1) return power(a, static_cast<int>(c));
     }
-    return push(Op::kBinary, data.detail, a, node(data.inputs[1]));
+    return push(Program::op_of(op), data.detail, a, node(data.inputs[1]));
+  }
+
+  // A sum of which one part is a product that nothing else needs is one instruction.
+  bool is_own_product(Node n) const {
+    const auto& data = builder_.nodes_[n];
+    return data.kind == Kind::kBinary && static_cast<BinaryOp>(data.detail) == BinaryOp::kMultiply && uses_[n] == 1;
+  }
+  Register sum(const ExpressionBuilder::Data& data) {
+    Node product = data.inputs[0], other = data.inputs[1];
+    if (!is_own_product(product)) std::swap(product, other);
+    const std::uint8_t detail = data.detail;
+    if (!is_own_product(product)) return push(Op::kAdd, detail, node(product), node(other));
+    const auto& factors = builder_.nodes_[product].inputs;
+    const Register a = node(factors[0]), b = node(factors[1]), rest = node(other);
+    const Register target = push(Op::kMultiplyAdd, detail, a, b);
+    program_.code_.back().jump = rest;
+    return target;
   }
 
   Register power(Register e, int exponent) {
@@ -238,8 +266,8 @@ class ProgramEmitter {
     const std::size_t leave = jump(Op::kJumpUnlessLessEqual, variable, to);
     const std::size_t mark = learnt_.size();
     const Register term = node(data.inputs[3]);
-    program_.code_.push_back({Op::kBinary, static_cast<std::uint8_t>(op), total, total, term, 0});
-    program_.code_.push_back({Op::kBinary, static_cast<std::uint8_t>(BinaryOp::kAdd), variable, variable, constant_register(1), 0});
+    program_.code_.push_back({Program::op_of(op), static_cast<std::uint8_t>(op), total, total, term, 0});
+    program_.code_.push_back({Op::kAdd, static_cast<std::uint8_t>(BinaryOp::kAdd), variable, variable, constant_register(1), 0});
     forget(mark);
     program_.code_.push_back({Op::kJump, 0, 0, 0, 0, static_cast<std::uint32_t>(top)});
     land(leave);
@@ -267,6 +295,7 @@ class ProgramEmitter {
   const ExpressionBuilder& builder_;
   Program program_;
   std::size_t next_register_ = 0;
+  std::vector<unsigned> uses_;  // of each node as an input
   double work_ = 0;  // calls emitted so far, as Function::work() counts them
   std::unordered_map<Node, Register> registers_;
   std::vector<Node> learnt_;

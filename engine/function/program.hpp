@@ -44,21 +44,26 @@ class EndlessFunction : public std::range_error {
   using std::range_error::range_error;
 };
 
-// evaluate() throws EndlessFunction.
+// evaluate() throws EndlessFunction. evaluate_many() runs each instruction over a block of points (program_block.cpp).
 class Program final : public Function {
  public:
   void evaluate(const double* arguments, double* results) const override;
+  void evaluate_many(std::size_t count, std::size_t stride, const double* arguments, double* results) const override;
   bool enclose(const Enclosure* arguments, Enclosure& result) const override;
 
-  std::size_t instruction_count() const { return code_.size(); }
+  std::size_t instruction_count() const { return code_.size() - 1; }  // without the return
 
  private:
   friend class ProgramEmitter;
   explicit Program(int parameters) : Function(parameters, 1) {}
   enum class Op : std::uint8_t {
-    kUnary, kBinary, kMove, kCall, kJump, kJumpUnlessNegative, kJumpUnlessZero, kJumpUnlessLessEqual,
+    kUnary, kBinary,
+    kAdd, kSubtract, kMultiply, kNegate, kAbs, kSqrt, kSin, kCos,  // the commonest of these, each with `detail` as those have
+    kMultiplyAdd,  // a b + jump, which is a register here; rounded twice
+    kMove, kCall, kJump, kJumpUnlessNegative, kJumpUnlessZero, kJumpUnlessLessEqual,
     kEnterLoop,  // from a to b, with `jump` calls
-    kLeaveLoop
+    kLeaveLoop,
+    kReturn  // the last one, and only that
   };
   struct Instruction {
     Op op;
@@ -69,6 +74,9 @@ class Program final : public Function {
   };
 
   class Enclosing;
+  class Block;
+  static Op op_of(UnaryOp op);
+  static Op op_of(BinaryOp op);
 
   // Registers: parameters, then constants, then temporaries; the result is in result_.
   std::vector<double> constants_;

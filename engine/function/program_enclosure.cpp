@@ -15,13 +15,23 @@ class Program::Enclosing {
 
   // The result of running from instruction `pc` to the end; `r` is left in disorder.
   bool run(std::size_t pc, std::vector<Enclosure>& r, Enclosure& result) {
-    const std::size_t end = program_.code_.size();
-    while (pc < end) {
+    for (;;) {
       if (++steps_ > kMostSteps) return false;
       const Instruction& i = program_.code_[pc++];
       switch (i.op) {
-        case Op::kUnary: r[i.target] = lute::enclose(static_cast<UnaryOp>(i.detail), r[i.a]); break;
-        case Op::kBinary: r[i.target] = lute::enclose(static_cast<BinaryOp>(i.detail), r[i.a], r[i.b]); break;
+        case Op::kUnary:
+        case Op::kNegate:
+        case Op::kAbs:
+        case Op::kSqrt:
+        case Op::kSin:
+        case Op::kCos: r[i.target] = lute::enclose(static_cast<UnaryOp>(i.detail), r[i.a]); break;
+        case Op::kBinary:
+        case Op::kAdd:
+        case Op::kSubtract:
+        case Op::kMultiply: r[i.target] = lute::enclose(static_cast<BinaryOp>(i.detail), r[i.a], r[i.b]); break;
+        case Op::kMultiplyAdd:
+          r[i.target] = lute::enclose(BinaryOp::kAdd, lute::enclose(BinaryOp::kMultiply, r[i.a], r[i.b]), r[i.jump]);
+          break;
         case Op::kMove: r[i.target] = r[i.a]; break;
         case Op::kCall:
           if (i.detail != 0 || !program_.callees_[i.b]->enclose(&r[i.a], r[i.target])) return false;
@@ -29,6 +39,7 @@ class Program::Enclosing {
         case Op::kJump: pc = i.jump; break;
         case Op::kEnterLoop:
         case Op::kLeaveLoop: break;
+        case Op::kReturn: result = r[program_.result_]; return true;
         default: {
           const Enclosure holds = condition(i, r);
           if (holds.is_point()) {
@@ -43,8 +54,6 @@ class Program::Enclosing {
         }
       }
     }
-    result = r[program_.result_];
-    return true;
   }
 
   static constexpr int kMostSteps = 4000;  // loops and branches within branches

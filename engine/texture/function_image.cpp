@@ -1,10 +1,34 @@
 #include "engine/texture/function_image.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 namespace lute {
+
+namespace {
+
+// The function at every pixel's place, row by row; `take` is given the results of one pixel.
+template <class Take>
+void sample(const Function& function, int width, int height, Take take) {
+  constexpr int kAtOnce = 256;
+  std::array<double, 3 * kAtOnce> arguments{};
+  std::array<double, 5 * kAtOnce> results{};
+  const auto place = [](int i, int size) { return size > 1 ? static_cast<double>(i) / (size - 1) : 0.0; };
+  for (int row = 0; row < height; ++row)
+    for (int first = 0; first < width; first += kAtOnce) {
+      const auto count = static_cast<std::size_t>(std::min(kAtOnce, width - first));
+      for (std::size_t i = 0; i < count; ++i) {
+        arguments[i] = place(first + static_cast<int>(i), width);
+        arguments[kAtOnce + i] = place(row, height);
+      }
+      function.evaluate_many(count, kAtOnce, arguments.data(), results.data());
+      for (std::size_t i = 0; i < count; ++i) take([&](std::size_t k) { return static_cast<float>(results[k * kAtOnce + i]); });
+    }
+}
+
+}  // namespace
 
 ImagePtr sample_function(const Function& function, int width, int height) {
   const int channels = function.is_vector() ? 4 : 1;
@@ -16,19 +40,10 @@ ImagePtr sample_function(const Function& function, int width, int height) {
     const bool held = scaled > -2147483904.0f && scaled < 2147483648.0f;
     samples.push_back(static_cast<std::uint16_t>(held ? static_cast<std::int64_t>(scaled) & 0xFFFF : 0));
   };
-  const auto place = [](int i, int size) { return size > 1 ? static_cast<double>(i) / (size - 1) : 0.0; };
-  for (int row = 0; row < height; ++row)
-    for (int column = 0; column < width; ++column) {
-      const double arguments[3] = {place(column, width), place(row, height), 0};
-      double results[5] = {0, 0, 0, 0, 0};
-      function.evaluate(arguments, results);
-      if (channels == 1) {
-        store(static_cast<float>(results[0]));
-      } else {
-        for (int c = 0; c < 3; ++c) store(static_cast<float>(results[c]));
-        store(1 - static_cast<float>(results[4]));
-      }
-    }
+  sample(function, width, height, [&](const auto& result) {
+    for (std::size_t c = 0; c < (channels == 1 ? 1u : 3u); ++c) store(result(c));
+    if (channels == 4) store(1 - result(4));
+  });
   std::vector<float> decoded(65536);
   for (std::size_t i = 0; i < decoded.size(); ++i) decoded[i] = static_cast<float>(i) / 65535.0f;
   return std::make_shared<Image>(width, height, channels, std::move(samples), std::move(decoded));

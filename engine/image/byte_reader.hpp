@@ -25,6 +25,7 @@ class ByteReader {
   void seek(std::size_t offset) { at_ = offset; }
   std::size_t position() const { return at_; }
   bool at_end() const { return at_ >= bytes_.size(); }
+  std::vector<std::uint8_t> bytes() const { return {bytes_.begin(), bytes_.end()}; }  // of the whole file
 
   // Each throws std::runtime_error at the end of the file.
   std::uint8_t byte() {

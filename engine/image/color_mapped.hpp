@@ -25,8 +25,8 @@ std::optional<ColorMapped> read_gif(const std::string& path, std::string& error)
 // an error: it has one, and is broken.
 std::optional<ColorMapped> read_color_mapped_bmp(const std::string& path, std::string& error);
 
-// A Targa file of type 1 or 9 with 8 bits a pixel; errors as above.
-std::optional<ColorMapped> read_color_mapped_tga(const std::string& path, std::string& error);
+// A TIFF file of up to 8 bits a pixel; errors as above.
+std::optional<ColorMapped> read_color_mapped_tiff(const std::string& path, std::string& error);
 
 // An entry of a palette whose values go from 0 to `maximum`.
 Image::Pixel palette_entry(std::uint32_t red, std::uint32_t green, std::uint32_t blue, std::uint32_t maximum = 255);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct ImageFileInfo {
   std::string format;             // "png", "jpeg", "tiff", ...
   bool srgb = false;              // the file declares sRGB
   double gamma = 0;               // the file declares a power curve (1 / gAMA); 0: it does not
+  bool has_alpha = false;         // the last channel is alpha, by the file's word
   bool alpha_premultiplied = false;
 };
 
@@ -41,6 +43,9 @@ class FormatLibrary {
 
   // On failure `error` says why and the result is false.
   virtual bool read(const std::string& path, ImagePixels& pixels, ImageFileInfo& info, std::string& error) const = 0;
+  // A file whose content is `bytes`; its path says the format only.
+  virtual bool read(const std::string& path, std::span<const std::uint8_t> bytes, ImagePixels& pixels, ImageFileInfo& info,
+                    std::string& error) const = 0;
   // Values are stored as they are (integers: rounded from 0...1). The file is complete or, on failure, of no use.
   virtual bool write(const std::string& path, const ImagePixels& pixels, const WriteOptions& options, std::string& error) const = 0;
 };

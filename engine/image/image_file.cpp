@@ -5,13 +5,14 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <span>
 
 #include "engine/image/format_library.hpp"
 #include "engine/image/color_mapped.hpp"
+#include "engine/image/hdr_reader.hpp"
 #include "engine/image/jpeg_reader.hpp"
 #include "engine/image/png_reader.hpp"
 #include "engine/image/pnm_reader.hpp"
+#include "engine/image/tga_reader.hpp"
 
 namespace lute {
 namespace {
@@ -100,6 +101,20 @@ std::shared_ptr<Image> make_color_mapped(ColorMapped file, const Convert& conver
   return image;
 }
 
+std::shared_ptr<Image> make_tga(TgaContent tga, const Convert& convert) {
+  if (!tga.palette.empty()) return make_color_mapped({tga.width, tga.height, std::move(tga.bytes), std::move(tga.palette)}, convert, true);
+  return std::make_shared<Image>(tga.width, tga.height, tga.channels, std::move(tga.bytes), table(256, convert));
+}
+
+std::shared_ptr<Image> make_hdr(const std::string& path, const ImageFileOptions& options, std::string& error) {
+  HdrContent hdr;
+  if (!read_hdr(path, hdr, error)) return nullptr;
+  std::ranges::transform(hdr.values, hdr.values.begin(), conversion(options, curve_of_format("hdr", options)));
+  auto image = std::make_shared<Image>(hdr.width, hdr.height, 3, std::move(hdr.values));
+  image->set_format_keeps_alpha();
+  return image;
+}
+
 // A POT file, of FractInt, is a GIF file of twice the width: high bytes in the left half, low bytes in the right one.
 std::shared_ptr<Image> make_pot(const std::string& path, const ImageFileOptions& options, std::string& error) {
   const std::optional<ColorMapped> file = read_gif(path, error);
@@ -125,22 +140,19 @@ std::vector<Integer> integers(const std::vector<float>& values) {
   return result;
 }
 
-// A value of a Radiance HDR file is a byte times the power of two that the three channels of the pixel share. The reference takes the
-// middle of the byte's step.
-void raise_to_middle_of_step(ImagePixels& pixels) {
+void drop_alpha(ImagePixels& pixels) {
   const auto channels = static_cast<std::size_t>(pixels.channels);
-  for (std::size_t first = 0; first + channels <= pixels.values.size(); first += channels) {
-    const std::span<float> pixel(&pixels.values[first], channels);
-    const float largest = *std::max_element(pixel.begin(), pixel.end());
-    if (!(largest > 0)) continue;
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    for (float& v : pixel) v += std::ldexp(1.0f, exponent - 9);
-  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pixels.values.size(); ++i)
+    if (i % channels != channels - 1) pixels.values[kept++] = pixels.values[i];
+  pixels.values.resize(kept);
+  --pixels.channels;
 }
 
-// TIFF files are read with 8 bits, alpha multiplied into the colours.
-std::shared_ptr<Image> make_tiff(const ImagePixels& pixels, const ImageFileInfo& info, const Convert& convert) {
+// TIFF files are read with 8 bits, alpha multiplied into the colours. The reference takes grey as it is stored, and its alpha only if it is
+// stored as such in 8 bits.
+std::shared_ptr<Image> make_tiff(ImagePixels pixels, const ImageFileInfo& info, const Convert& convert) {
+  if (pixels.channels == 2 && (!info.has_alpha || info.stored != ChannelType::kUint8)) drop_alpha(pixels);
   std::vector<std::uint8_t> bytes;
   // Of 16 bits, grey files keep the upper eight, others the nearest of 256 codes.
   if (info.stored == ChannelType::kUint16)
@@ -148,7 +160,7 @@ std::shared_ptr<Image> make_tiff(const ImagePixels& pixels, const ImageFileInfo&
       bytes.push_back(static_cast<std::uint8_t>(pixels.channels < 3 ? v >> 8 : (v + 128) / 257));
   else
     bytes = integers<std::uint8_t>(pixels.values);
-  if (pixels.channels % 2 == 0 && !info.alpha_premultiplied) {
+  if (pixels.channels == 4 && !info.alpha_premultiplied) {
     const auto channels = static_cast<std::size_t>(pixels.channels);
     for (std::size_t first = 0; first + channels <= bytes.size(); first += channels) {
       const int alpha = bytes[first + channels - 1];
@@ -162,7 +174,7 @@ std::shared_ptr<Image> make_tiff(const ImagePixels& pixels, const ImageFileInfo&
 // OpenImageIO finds out the format by the file's content; the word in the scene must be right, too.
 bool is_of_type(const std::string& type, const std::string& format) {
   static const std::map<std::string, std::string> formats = {
-      {"tga", "targa"}, {"tiff", "tiff"}, {"bmp", "bmp"}, {"hdr", "hdr"}, {"exr", "openexr"}};
+      {"tga", "targa"}, {"tiff", "tiff"}, {"bmp", "bmp"}, {"exr", "openexr"}};
   const auto found = formats.find(type);
   return found == formats.end() || found->second == format;
 }
@@ -178,11 +190,10 @@ std::shared_ptr<Image> make_other(const std::string& path, const std::string& ty
     error = "the file is of another format (" + info.format + ")";
     return nullptr;
   }
-  if (info.format == "hdr") raise_to_middle_of_step(pixels);
   const Convert convert = conversion(options, curve_of_format(info.format, options));
   std::shared_ptr<Image> image;
   if (info.format == "tiff" && (info.stored == ChannelType::kUint8 || info.stored == ChannelType::kUint16)) {
-    image = make_tiff(pixels, info, convert);
+    image = make_tiff(std::move(pixels), info, convert);
   } else if (info.stored == ChannelType::kUint8) {
     image = std::make_shared<Image>(pixels.width, pixels.height, pixels.channels, integers<std::uint8_t>(pixels.values),
                                     table(256, convert));
@@ -198,7 +209,7 @@ std::shared_ptr<Image> make_other(const std::string& path, const std::string& ty
     image = std::make_shared<Image>(pixels.width, pixels.height, pixels.channels, std::move(pixels.values));
   }
   const bool always_premultiplied = info.format == "tiff" || info.format == "openexr";
-  if (always_premultiplied || info.format == "hdr") image->set_format_keeps_alpha();
+  if (always_premultiplied) image->set_format_keeps_alpha();
   image->set_premultiplied(always_premultiplied || info.alpha_premultiplied);
   return image;
 }
@@ -209,11 +220,15 @@ std::shared_ptr<Image> make_image(const std::string& path, const std::string& ty
   if (type == "jpeg") return make_jpeg(path, options, error);
   if (type == "ppm" || type == "pgm") return make_pnm(path, type, options, error);
   if (type == "pot") return make_pot(path, options, error);
+  if (type == "hdr") return make_hdr(path, options, error);
+  const Convert convert = conversion(options, curve_of_format(type, options));
+  TgaContent tga;
+  if (type == "tga" && read_tga(path, tga, error)) return make_tga(std::move(tga), convert);
   std::optional<ColorMapped> file;
   if (type == "gif") file = read_gif(path, error);
   if (type == "bmp") file = read_color_mapped_bmp(path, error);
-  if (type == "tga") file = read_color_mapped_tga(path, error);
-  if (file) return make_color_mapped(std::move(*file), conversion(options, curve_of_format(type, options)), type != "bmp");
+  if (type == "tiff") file = read_color_mapped_tiff(path, error);
+  if (file) return make_color_mapped(std::move(*file), convert, type == "gif");
   return error.empty() ? make_other(path, type, options, error) : nullptr;
 }
 

@@ -1,5 +1,6 @@
 // The module behind engine/image/format_library.hpp: the one place that includes OpenImageIO.
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -30,34 +31,52 @@ ChannelType from_oiio(OIIO::TypeDesc type) {
   }
 }
 
+bool read_from(OIIO::ImageInput* input, ImagePixels& pixels, ImageFileInfo& info, std::string& error) {
+  if (input == nullptr) {
+    error = OIIO::geterror();
+    return false;
+  }
+  const OIIO::ImageSpec& spec = input->spec();
+  pixels.width = spec.width;
+  pixels.height = spec.height;
+  pixels.channels = std::min(spec.nchannels, 4);
+  pixels.values.resize(static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height) *
+                       static_cast<std::size_t>(pixels.channels));
+  if (!input->read_image(0, 0, 0, pixels.channels, OIIO::TypeDesc::FLOAT, pixels.values.data())) {
+    error = input->geterror();
+    return false;
+  }
+  info.stored = from_oiio(spec.format);
+  info.format = input->format_name();
+  const std::string space = spec.get_string_attribute("oiio:ColorSpace");
+  info.gamma = static_cast<double>(spec.get_float_attribute("oiio:Gamma", 0.0f));
+  info.srgb = space == "sRGB";
+  info.has_alpha = spec.alpha_channel >= 0;
+  const bool float_file = info.format == "openexr" || info.format == "tiff";
+  info.alpha_premultiplied = float_file && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
+  return true;
+}
+
+OIIO::ImageSpec pixels_as_stored() {
+  OIIO::ImageSpec wish;
+  wish["oiio:UnassociatedAlpha"] = 1;
+  return wish;
+}
+
 class OpenImageIoLibrary final : public FormatLibrary {
  public:
   bool read(const std::string& path, ImagePixels& pixels, ImageFileInfo& info, std::string& error) const override {
-    OIIO::ImageSpec wish;
-    wish["oiio:UnassociatedAlpha"] = 1;  // pixels as the file stores them
-    const auto input = OIIO::ImageInput::open(path, &wish);
-    if (!input) {
-      error = OIIO::geterror();
-      return false;
-    }
-    const OIIO::ImageSpec& spec = input->spec();
-    pixels.width = spec.width;
-    pixels.height = spec.height;
-    pixels.channels = std::min(spec.nchannels, 4);
-    pixels.values.resize(static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height) *
-                         static_cast<std::size_t>(pixels.channels));
-    if (!input->read_image(0, 0, 0, pixels.channels, OIIO::TypeDesc::FLOAT, pixels.values.data())) {
-      error = input->geterror();
-      return false;
-    }
-    info.stored = from_oiio(spec.format);
-    info.format = input->format_name();
-    const std::string space = spec.get_string_attribute("oiio:ColorSpace");
-    info.gamma = static_cast<double>(spec.get_float_attribute("oiio:Gamma", 0.0f));
-    info.srgb = space == "sRGB";
-    const bool float_file = info.format == "openexr" || info.format == "tiff";
-    info.alpha_premultiplied = float_file && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
-    return true;
+    const OIIO::ImageSpec wish = pixels_as_stored();
+    return read_from(OIIO::ImageInput::open(path, &wish).get(), pixels, info, error);
+  }
+
+  bool read(const std::string& path, std::span<const std::uint8_t> bytes, ImagePixels& pixels, ImageFileInfo& info,
+            std::string& error) const override {
+    OIIO::Filesystem::IOMemReader content(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
+    OIIO::Filesystem::IOProxy* proxy = &content;
+    OIIO::ImageSpec wish = pixels_as_stored();
+    wish.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);  // as a parameter of open() it is forgotten when there are wishes
+    return read_from(OIIO::ImageInput::open(path, &wish, proxy).get(), pixels, info, error);
   }
 
   bool write(const std::string& path, const ImagePixels& pixels, const WriteOptions& options, std::string& error) const override {

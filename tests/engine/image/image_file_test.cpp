@@ -142,61 +142,6 @@ TEST_F(ImageFile, BrokenPortableMapsAreErrors) {
   }
 }
 
-// The bytes of a little-endian TIFF file of one pixel, RGBA with alpha beside the colours (ExtraSamples 2), not compressed.
-std::string tiff_of_one_pixel(const std::string& rgba) {
-  std::string bytes("II*\0\x10\0\0\0", 8);
-  bytes += rgba + std::string(4, '\0');  // the pixel at 8
-  const auto half = [&](unsigned v) { bytes += {static_cast<char>(v & 255), static_cast<char>(v >> 8)}; };
-  const auto entry = [&](unsigned tag, unsigned type, unsigned count, unsigned value) {
-    half(tag);
-    half(type);
-    for (const unsigned v : {count, value}) {
-      half(v & 65535);
-      half(v >> 16);
-    }
-  };
-  half(11);
-  entry(256, 3, 1, 1);    // width
-  entry(257, 3, 1, 1);    // length
-  entry(258, 3, 4, 154);  // bits of each sample
-  entry(259, 3, 1, 1);    // no compression
-  entry(262, 3, 1, 2);    // RGB
-  entry(273, 4, 1, 8);    // strip
-  entry(277, 3, 1, 4);    // samples of a pixel
-  entry(278, 3, 1, 1);    // rows of a strip
-  entry(279, 4, 1, 4);    // bytes of the strip
-  entry(284, 3, 1, 1);    // channels beside each other
-  entry(338, 3, 1, 2);    // alpha not multiplied in
-  half(0), half(0);       // no further directory
-  for (int i = 0; i < 4; ++i) half(8);
-  return bytes;
-}
-
-// Measured with the reference: an image_map of red 103, alpha 153 gives 0.405228734 = (103 · 153 + 127) div 255 / 153; image_pattern
-// sees 62 / 255.
-TEST_F(ImageFile, TiffColorsAreMultipliedByAlpha) {
-  const std::string file = path("alpha.tif");
-  std::ofstream(file, std::ios::binary) << tiff_of_one_pixel(std::string("\x67\0\xB7\x99", 4));
-  const ImagePtr image = load(file);
-  ASSERT_NE(image, nullptr);
-  EXPECT_TRUE(image->premultiplied());
-  EXPECT_FLOAT_EQ(image->pixel(0, 0).rgb.r, 62 / 255.0f);
-  EXPECT_FLOAT_EQ(image->pixel(0, 0).rgb.b, 110 / 255.0f);
-  EXPECT_FLOAT_EQ(image->pixel(0, 0).alpha, 153 / 255.0f);
-}
-
-// Measured with the reference: the bytes 103, 0, 183 with the exponent 128 are 0.404296875, 0.001953125, 0.716796875: half a step
-// above the byte over 256.
-TEST_F(ImageFile, HdrColorsAreInTheMiddleOfTheirStep) {
-  const std::string file = path("one.hdr");
-  std::ofstream(file, std::ios::binary) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n" << std::string("\x67\0\xB7\x80", 4);
-  const ImagePtr image = load(file, colors_in_linear_space());
-  ASSERT_NE(image, nullptr);
-  EXPECT_EQ(image->pixel(0, 0).rgb, Rgb(0.404296875f, 0.001953125f, 0.716796875f));
-  EXPECT_FALSE(image->has_alpha());
-  EXPECT_TRUE(image->keeps_alpha());
-}
-
 TEST_F(ImageFile, PalettesOfPngKeepAlpha) {  // use_alpha sees 0 where all of it is opaque, not the red channel
   const ImagePtr palette = load(write_png("p.png", PNG_FORMAT_RGBA_COLORMAP, 2, 1, {0, 1}, {255, 0, 0, 255, 0, 255, 0, 255}));
   EXPECT_TRUE(palette->keeps_alpha());

@@ -21,6 +21,7 @@ CsgSolid::CsgSolid(CsgKind kind, Children children, SharedSolids clips, SharedSo
     if (all_children_needed() && leaves_.back() != nullptr && leaf->limits_rays()) limits_.push_back(leaf);
   }
   opaque = std::ranges::all_of(children_, [](const auto& child) { return child->opaque; });
+  hides_children_ = !all_children_needed() && std::ranges::any_of(children_, [](const auto& child) { return child->visibility.restricts(); });
 }
 
 ChildTree CsgSolid::set_boxes() {
@@ -55,7 +56,7 @@ ChildTree CsgSolid::set_boxes() {
     box = *limit;
     box_cuts_ = true;
   }
-  return ChildTree(std::move(ray_boxes), all_boxes, std::move(boxed));
+  return ChildTree(std::move(ray_boxes), all_boxes, boxed);
 }
 
 ChildTree CsgSolid::refusals() const {
@@ -121,7 +122,7 @@ Aabb CsgSolid::narrowed(const Aabb& region) const {
 // The flags of the children of an intersection have no effect; those of a union and a merge partly (§6.1): a child's no_shadow
 // never, and its no_image not for a primary ray in a union.
 bool CsgSolid::child_visible(const Solid& child, RayKind kind) const {
-  if (all_children_needed() || kind.shadow) return true;
+  if (!hides_children_ || kind.shadow) return true;
   Visibility v = child.visibility;
   v.no_shadow = false;
   if (kind_ == CsgKind::kUnion && kind.primary) v.no_image = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/math/polynomial.hpp"
 #include "engine/shape/glyph_outline.hpp"
@@ -32,12 +33,12 @@ class Lettering final : public ScannedShape<Lettering> {
       : glyphs_(std::move(glyphs)), depth_(depth), to_world_(to_world) {}
 
   template <class Sink>
-  void scan(const Ray& ray, Interval, Sink&& sink) const {
+  void scan(const Ray& ray, Interval range, Sink&& sink) const {
     const Ray local = to_world_->inverse_ray(ray);
     for (const GlyphOutline& glyph : glyphs_) {
-      if (!line_meets(local, glyph)) continue;
-      scan_caps(glyph, local, sink);
-      scan_walls(glyph, local, sink);
+      const Interval within = box_crossing(local, glyph);
+      if (within.empty() || within.lo > range.hi || within.hi < range.lo) continue;
+      if (scan_caps(glyph, local, sink) || scan_walls(glyph, local, within, sink)) return;
     }
   }
 
@@ -59,45 +60,56 @@ class Lettering final : public ScannedShape<Lettering> {
   }
 
  private:
-  // Whether the line passes the glyph's box, a little enlarged.
-  bool line_meets(const Ray& ray, const GlyphOutline& glyph) const {
-    constexpr double kSlack = 1e-9;
-    const dvec3 lo = dvec3(glyph.lo, 0) - dvec3(kSlack);
-    const dvec3 hi = dvec3(glyph.hi, depth_) + dvec3(kSlack);
-    Interval line{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  // How far the line may be off its place by rounding, in ems.
+  static double slack(const Ray& ray) {
+    return 1e-9 * (1 + std::max({std::abs(ray.origin.x), std::abs(ray.origin.y), std::abs(ray.origin.z)}));
+  }
+
+  // Where the line passes the glyph's box, a little enlarged.
+  Interval box_crossing(const Ray& ray, const GlyphOutline& glyph) const {
+    const dvec3 lo = dvec3(glyph.lo, 0) - dvec3(slack(ray));
+    const dvec3 hi = dvec3(glyph.hi, depth_) + dvec3(slack(ray));
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    Interval line{-kInfinity, kInfinity};
     for (int axis = 0; axis < 3; ++axis) {
       const double p = ray.origin[axis];
       const double d = ray.direction[axis];
       if (d == 0) {
-        if (p < lo[axis] || p > hi[axis]) return false;
+        if (p < lo[axis] || p > hi[axis]) return {kInfinity, -kInfinity};
         continue;
       }
       const double t0 = (lo[axis] - p) / d;
       const double t1 = (hi[axis] - p) / d;
       line = {std::max(line.lo, std::min(t0, t1)), std::min(line.hi, std::max(t0, t1))};
     }
-    return !line.empty();
+    return line;
   }
 
+  // These two return true if the sink needs no other hit at all.
   template <class Sink>
-  void scan_caps(const GlyphOutline& glyph, const Ray& ray, Sink& sink) const {
-    if (ray.direction.z == 0) return;
+  bool scan_caps(const GlyphOutline& glyph, const Ray& ray, Sink& sink) const {
+    if (ray.direction.z == 0) return false;
     // Without depth the two coincide, and the last one, the back, is what is seen.
     for (const bool back : {false, true}) {
       const double t = ((back ? depth_ : 0) - ray.origin.z) / ray.direction.z;
       const dvec3 p = ray.at(t);
-      if (in_outline(glyph, dvec2(p.x, p.y))) sink(t, 0, std::array<double, 3>{0, 0, back ? 1.0 : -1.0});
+      if (!in_outline(glyph, dvec2(p.x, p.y))) continue;
+      if (sink(t, 0, std::array<double, 3>{0, 0, back ? 1.0 : -1.0}) && !depth_matters<Sink>()) return true;
     }
+    return false;
   }
 
   template <class Sink>
-  void scan_walls(const GlyphOutline& glyph, const Ray& ray, Sink& sink) const {
+  bool scan_walls(const GlyphOutline& glyph, const Ray& ray, Interval within, Sink& sink) const {
     const dvec2 o(ray.origin.x, ray.origin.y);
     const dvec2 d(ray.direction.x, ray.direction.y);
-    if (glm::dot(d, d) <= kEpsilon * kEpsilon * glm::dot(ray.direction, ray.direction)) return;
+    if (glm::dot(d, d) <= kEpsilon * kEpsilon * glm::dot(ray.direction, ray.direction)) return false;
+    const auto [low, high] = std::minmax({o.y + within.lo * d.y, o.y + within.hi * d.y});
+    const double bottom = low - slack(ray), top = high + slack(ray);
     // Signed distance from the ray's line, up to a factor.
     const auto side = [&](const dvec2& p) { return d.x * (p.y - o.y) - d.y * (p.x - o.x); };
     for (const OutlinePiece& e : glyph.pieces) {
+      if ((e.p0.y < bottom && e.p2.y < bottom) || (e.p0.y > top && e.p2.y > top)) continue;
       const double s0 = side(e.p0);
       const double s1 = side(e.p1);
       const double s2 = side(e.p2);
@@ -110,9 +122,10 @@ class Lettering final : public ScannedShape<Lettering> {
         const double z = ray.origin.z + t * ray.direction.z;
         if (z < 0 || z > depth_) continue;
         const dvec2 tangent = e.tangent(w);
-        sink(t, 1, std::array<double, 3>{tangent.y, -tangent.x, 0});
+        if (sink(t, 1, std::array<double, 3>{tangent.y, -tangent.x, 0}) && !depth_matters<Sink>()) return true;
       }
     }
+    return false;
   }
 
   std::vector<GlyphOutline> glyphs_;

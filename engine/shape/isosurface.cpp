@@ -70,8 +70,9 @@ Interval hull(const Interval& a, const Interval& b) { return {std::min(a.lo, b.l
 bool stays_positive(double f1, double f2, const Interval& slope, double width) {
   const double down = std::min(slope.lo, 0.0), up = std::max(slope.hi, 0.0);  // at the start, and into the end
   const double margin = 1e-9 * (f1 + f2);
-  const double lowest = down == 0 ? f1 : up == 0 ? f2 : (up * (f1 + down * width) - down * f2) / (up - down);
-  return lowest > margin;
+  if (down == 0) return f1 > margin;
+  if (up == 0) return f2 > margin;
+  return up * (f1 + down * width) - down * f2 > margin * (up - down);  // the lowest value, times up - down
 }
 
 // Parts: the surface, then the faces of the container.
@@ -102,6 +103,9 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
       if (std::ranges::all_of(pieces, [&](const auto& p) { return p.value.lo > iso_.threshold; })) return;
     }
     Search search(*this, local, pieces, range.hi);
+    if constexpr (!depth_matters<Sink>()) {
+      if (slopes_->tree.knows_function() && !iso_.evaluate) search.anywhere = range;
+    }
     int count = 0;
     if (!iso_.open) {
       if (begin > accuracy) {
@@ -115,7 +119,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
           begin = 5 * accuracy;
           if (search.at_begin(begin) < 0) search.sign = -1;
         }
-        if (search.at_end(end) < 0) sink(end, kFirstFace + passage.leave);
+        if (search.at_end(end) < 0 && sink(end, kFirstFace + passage.leave) && !depth_matters<Sink>()) return;
       }
     }
     if (end - begin < accuracy) return;
@@ -167,9 +171,10 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
     double sign = 1;
     double steepest = 0;  // seen, by depth
     double farthest;      // no root beyond is asked for
-    const std::vector<SlopeTree::Piece>& pieces;  // none: max_gradient is enough everywhere, or nothing else is known
+    Interval anywhere{0, -1};  // where any depth will do for a root; only if max_gradient is proven or not relied on
+    std::vector<SlopeTree::Piece>& pieces;  // none: max_gradient is enough everywhere, or nothing else is known
 
-    Search(const ImplicitSurface& s, const Ray& r, const std::vector<SlopeTree::Piece>& of_ray, double far)
+    Search(const ImplicitSurface& s, const Ray& r, std::vector<SlopeTree::Piece>& of_ray, double far)
         : surface(s), ray(r), length(glm::length(r.direction)), gradient(s.iso_.max_gradient), farthest(far), pieces(of_ray) {}
     Search(const Search&) = delete;
     Search& operator=(const Search&) = delete;
@@ -212,29 +217,38 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
       return p;
     }
 
+    const Interval& slope_of(std::size_t piece) const {
+      SlopeTree::Piece& p = pieces[piece];
+      if (!p.slope_known) SlopeTree::find_slope(ray, p);
+      return p.slope;
+    }
+
     bool is_certain(const Interval& value) const {
       return sign > 0 ? value.lo > surface.iso_.threshold : value.hi < surface.iso_.threshold;
     }
 
     // Whether the stretch certainly meets no surface. `promised`: by max_gradient.
     bool is_empty(Interval depths, double f1, double f2, bool promised, Pieces p) const {
-      const auto proves = [&](const Interval& value, Interval slope) {
-        if (is_certain(value)) return true;
+      const auto proves = [&](Interval slope) {
         if (sign < 0) slope = {-slope.hi, -slope.lo};
         return stays_positive(f1, f2, slope, depths.hi - depths.lo);
       };
-      Interval value = pieces[p.first].value, slope = pieces[p.first].slope;
-      for (std::size_t i = p.first + 1; i <= p.last; ++i) {
-        value = hull(value, pieces[i].value);
-        slope = hull(slope, pieces[i].slope);
-      }
-      if (proves(value, slope)) return true;
+      const auto certain = [&](std::size_t i) { return is_certain(pieces[i].value); };
+      std::size_t i = p.first;
+      while (i <= p.last && certain(i)) ++i;
+      if (i > p.last) return true;
+      Interval slope = slope_of(p.first);
+      for (i = p.first; proves(slope); slope = hull(slope, slope_of(i)))
+        if (i++ == p.last) return true;
       if (!promised) return false;
-      for (std::size_t i = p.first; i <= p.last; ++i)
-        if (!is_certain(pieces[i].value)) SlopeTree::too_wide(pieces[i]);
-      if (std::isfinite(slope.lo)) return false;
+      bool bounded = true;
+      for (i = p.first; i <= p.last; ++i) {
+        if (!certain(i)) SlopeTree::too_wide(pieces[i]);
+        bounded = bounded && std::isfinite(slope_of(i).lo);
+      }
+      if (bounded) return false;
       const Enclosure here = enclosed(depths);
-      if (proves({here.lo, here.hi}, {here.slope_lo, here.slope_hi})) return true;
+      if (is_certain({here.lo, here.hi}) || proves({here.slope_lo, here.slope_hi})) return true;
       // Where even at a point nothing is known there is only max_gradient.
       const double middle = 0.5 * (depths.lo + depths.hi);
       return !std::isfinite(here.slope_lo) && !std::isfinite(enclosed({middle, middle}).slope_lo);
@@ -266,6 +280,10 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
         }
       }
       if (std::isinf(m)) return false;
+      if (f1 >= 0 && f2 < 0 && anywhere.lo <= t1 && t1 + width <= anywhere.hi) {  // bisection would find one
+        root = t1 + width;
+        return true;
+      }
       if (std::abs(f2 - f1) > steepest * width) steepest = std::abs(f2 - f1) / width;
       const bool promised = f1 + f2 - m >= 0;
       if (pieces.empty()) {

@@ -71,6 +71,12 @@ const SlopeTree::Node& SlopeTree::root() const {
   std::call_once(made_, [&] {
     root_ = std::make_unique<Node>();
     bound(*root_, center_, half_);
+    double sum = 0;
+    for (const Bounds& s : root_->slope) {
+      const double most = std::max(std::abs(s.lo), std::abs(s.hi));
+      sum += most * most;
+    }
+    steepest_ = std::sqrt(sum) * (1 + 1e-12);
   });
   return *root_;
 }
@@ -91,12 +97,8 @@ const SlopeTree::Octants& SlopeTree::divide(const Node& node, const dvec3& cente
 bool SlopeTree::knows_function() const { return root().known; }
 
 double SlopeTree::steepest() const {
-  double sum = 0;
-  for (const Bounds& s : root().slope) {
-    const double most = std::max(std::abs(s.lo), std::abs(s.hi));
-    sum += most * most;
-  }
-  return std::sqrt(sum) * (1 + 1e-12);
+  root();
+  return steepest_;
 }
 
 // From node to node along one ray. What lies in the plane between two nodes may be counted to either.
@@ -109,7 +111,7 @@ struct SlopeTree::Walk {
   void visit(const Node& node, const dvec3& center, const dvec3& half, int depth, Interval depths) {
     const Octants* octants = node.octants.load(std::memory_order_acquire);
     if (octants == nullptr && (depth == kDeepest || node.failures.load(std::memory_order_relaxed) < kPatience)) {
-      out.push_back({depths.hi, {node.value.lo, node.value.hi}, slope(node), &node});
+      out.push_back({depths.hi, {node.value.lo, node.value.hi}, &node});
       return;
     }
     // A ray meets its octants in ascending order of the depths at which it crosses the planes between them; one that runs in such a plane
@@ -140,21 +142,21 @@ struct SlopeTree::Walk {
       begin = end;
     }
   }
-
-  Interval slope(const Node& node) const {
-    double lo = 0, hi = 0, size = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double d = ray.direction[axis];
-      if (d == 0) continue;  // times infinity
-      const Bounds& s = node.slope[axis];
-      lo += d * (d < 0 ? s.hi : s.lo);
-      hi += d * (d < 0 ? s.lo : s.hi);
-      size += std::abs(d) * std::max(std::abs(s.lo), std::abs(s.hi));
-    }
-    if (!(size < kInfinity)) return kAnything;
-    return {lo - 1e-14 * size, hi + 1e-14 * size};
-  }
 };
+
+void SlopeTree::find_slope(const Ray& ray, Piece& piece) {
+  double lo = 0, hi = 0, size = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = ray.direction[axis];
+    if (d == 0) continue;  // times infinity
+    const Bounds& s = piece.node->slope[axis];
+    lo += d * (d < 0 ? s.hi : s.lo);
+    hi += d * (d < 0 ? s.lo : s.hi);
+    size += std::abs(d) * std::max(std::abs(s.lo), std::abs(s.hi));
+  }
+  piece.slope = size < kInfinity ? Interval{lo - 1e-14 * size, hi + 1e-14 * size} : kAnything;
+  piece.slope_known = true;
+}
 
 void SlopeTree::along(const Ray& ray, Interval depths, std::vector<Piece>& out) const {
   out.clear();

@@ -31,14 +31,18 @@ class SlopeTree {
   // False if the function has no enclosure: then nothing is known anywhere.
   bool knows_function() const;
 
-  // The function along the part of a ray that lies in one node: between which numbers its values lie, and its derivatives by the depth.
+  // The function along the part of a ray that lies in one node: between which numbers its values lie, and its derivatives by the depth,
+  // which find_slope() finds when they are needed.
   struct Piece {
     double end;  // depth; the piece begins where the one before ends
-    Interval value, slope;
+    Interval value;
     const Node* node;
+    Interval slope{};
+    bool slope_known = false;
   };
   // The pieces between two depths within the box, ascending.
   void along(const Ray& ray, Interval depths, std::vector<Piece>& out) const;
+  static void find_slope(const Ray& ray, Piece& piece);
   // Tells a node that its bounds did not do.
   static void too_wide(const Piece& piece);
 
@@ -53,6 +57,7 @@ class SlopeTree {
   dvec3 center_, half_;  // of the box
   mutable std::once_flag made_;
   mutable std::unique_ptr<Node> root_;  // when the first ray asks
+  mutable double steepest_ = 0;         // with the root
 };
 
 }  // namespace lute

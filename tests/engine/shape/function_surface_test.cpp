@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "engine/function/function.hpp"
 #include "engine/function/program.hpp"
@@ -100,6 +101,33 @@ TEST(Isosurface, HitsDoNotDependOnEarlierRays) {
     ASSERT_EQ(found.has_value(), expected.has_value()) << i;
     if (expected) { EXPECT_EQ(found->t, expected->t); }
   }
+}
+
+// A shadow ray does not look for the depth of a hit that lies within its range: it must find one where the other queries do.
+TEST(Isosurface, AnyHitIsFoundWhereThereAreHits) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int found = 0, missed = 0;
+  for (const double max_gradient : {4.0, 0.3})
+    for (const bool open : {false, true}) {
+      Isosurface s = known_ball(max_gradient);
+      s.open = open;
+      s.max_trace = open ? 1 : 10;
+      if (open) s.container.hi = dvec3(0.4);  // cuts into the ball
+      const auto shape = make(s);
+      for (int i = 0; i < 3000; ++i) {
+        const dvec3 from(unit(random), unit(random), unit(random)), direction(unit(random), unit(random), unit(random));
+        const Ray ray{1.2 * from, glm::normalize(0.5 * direction - from)};
+        const double lo = 0.8 * std::abs(unit(random));
+        const Interval range{lo, lo + 1.5 * std::abs(unit(random))};
+        ShapeHit hit;
+        const bool nearest = shape->nearest(ray, range, hit);
+        ASSERT_EQ(shape->any(ray, range), nearest) << "ray " << i << ", max_gradient " << max_gradient << ", open " << open;
+        ++(nearest ? found : missed);
+      }
+    }
+  EXPECT_GT(found, 2000);
+  EXPECT_GT(missed, 3000);
 }
 
 // The reference says so of grad = 2.225 and 1.5, and of 3.078 and 10, for rays that see the whole ball.

@@ -36,7 +36,8 @@ TEST(SlopeTree, PiecesCoverTheRayAndBoundTheFunctionHoweverFarItIsDivided) {
     most = std::max(most, pieces.size());
     ASSERT_EQ(pieces.back().end, depths.hi);
     double begin = depths.lo;
-    for (const auto& piece : pieces) {
+    for (auto& piece : pieces) {
+      SlopeTree::find_slope(ray, piece);
       ASSERT_LE(begin, piece.end);
       for (const double t : {begin, 0.5 * (begin + piece.end), piece.end}) {
         const dvec3 p = ray.at(t);

@@ -3,6 +3,7 @@
 
 #include "parser/directives/directive.hpp"
 #include "parser/expression/expression.hpp"
+#include "parser/value/array.hpp"
 
 namespace lute {
 
@@ -85,14 +86,8 @@ void run_if(Session& session) {
 bool is_defined(Session& session) {
   const Item name = session.stream.take_raw();
   if (!name.is(TokenKind::kIdentifier)) return false;  // whatever it is: also a number or a string
-  Slot slot = name.slot;
-  std::uint8_t subscripts = 0;
-  while (const ArrayPtr* array = slot->get_if<ArrayPtr>()) {
-    if (!session.stream.peek_raw().is(TokenKind::kLeftSquare)) break;
-    const ArrayPtr keep = *array;
-    slot = select_element(session, keep, subscripts);
-  }
-  return !slot->empty();
+  const WrittenElement element = written_element(session, *name.slot);
+  return element.array ? element.array->elements.has_value(element.index) : !name.slot->empty();
 }
 
 void run_ifdef(Session& session, bool wanted) {

@@ -4,6 +4,7 @@
 #include "parser/directives/directive.hpp"
 #include "parser/expression/expression.hpp"
 #include "parser/expression/nesting.hpp"
+#include "parser/value/array.hpp"
 
 namespace lute {
 
@@ -81,11 +82,10 @@ ParsedValue parse_value(Session& session, ValueUse use) {
 namespace {
 
 void check_element_type(Session& session, const Array& array, const Value& value) {
-  const auto set = std::ranges::find_if(array.elements, [](const Value& element) { return !element.empty(); });
+  const Value first = array.elements.first_value();
+  if (!first.empty() && type_code(first) == type_code(value)) return;
   // An array whose elements are all undefined again still knows what they were.
-  const bool any = set != array.elements.end();
-  if (any && type_code(*set) == type_code(value)) return;
-  session.fail("Attempted to redefine " + std::string(any ? type_name(*set) : array.type_name) + " as " +
+  session.fail("Attempted to redefine " + std::string(first.empty() ? array.type_name : type_name(first)) + " as " +
                    std::string(type_name(value)) + ".",
                "element-type");
 }
@@ -97,7 +97,16 @@ int nesting(const Value& value) {
   return array == nullptr ? 0 : (*array)->nesting;
 }
 
-void set_element(Session& session, Array& array, Value& element, Value value) {
+void refuse_redeclaration(Session& session) {
+  session.fail("Redeclaring functions is not allowed - #undef the function first!", "function-redeclared");
+}
+
+// A variable's colour has single precision.
+void round_color(Value& value) {
+  if (const Number* number = value.get_if<Number>(); number != nullptr && number->count == 5) value = Number(number->color());
+}
+
+void set_element(Session& session, Array& array, std::size_t index, Value value) {
   const std::size_t type = type_code(value);
   if (array.type != type) {
     if (array.type != 0) check_element_type(session, array, value);
@@ -106,7 +115,11 @@ void set_element(Session& session, Array& array, Value& element, Value value) {
   }
   array.nesting = std::max(array.nesting, nesting(value) + 1);
   if (array.nesting > kMostArrayNesting) session.fail("Arrays are nested too deeply.", "limit-nesting");
-  assign(session, element, std::move(value));
+  const Value* const old = array.elements.find_value(index);
+  if (old != nullptr && old->holds<FunctionPtr>()) refuse_redeclaration(session);
+  round_color(value);
+  session.resources.charge(array.elements.bytes_to_set(value));
+  array.elements.set(index, std::move(value));
 }
 
 // One level of an initialiser: `{ item, item, ... }` or groups of those.
@@ -123,7 +136,7 @@ void parse_initialiser(Session& session, Array& array, std::size_t dimension, st
       parse_initialiser(session, array, dimension + 1, position);
     } else {
       ParsedValue value = parse_value(session, ValueUse::kElement);
-      set_element(session, array, array.elements[position++], std::move(*value.slot));
+      set_element(session, array, position++, std::move(*value.slot));
     }
     reader.comma();
   }
@@ -134,35 +147,35 @@ void parse_initialiser(Session& session, Array& array, std::size_t dimension, st
 
 Value parse_array(Session& session) {
   TokenStream& stream = session.stream;
-  auto array = std::make_shared<Array>();
+  std::vector<int> sizes;
   constexpr std::size_t kMostElements = 1u << 28;
   std::size_t count = 1;
   if (!session.reader.accept(TokenKind::kLeftSquare)) {
     session.fail_at("An array declaration must have at least one dimension", "array-dimensions", session.reader.peek());
   }
   do {
-    if (array->sizes.size() == 5) session.fail("Too many array dimensions", "array-dimensions");
+    if (sizes.size() == 5) session.fail("Too many array dimensions", "array-dimensions");
     const double size = session.reader.number() + kEpsilon;
     if (!(size >= 1) || size > static_cast<double>(kMostElements)) {
       session.fail("Invalid dimension size for an array", "array-dimensions");
     }
-    array->sizes.push_back(static_cast<int>(size));
+    sizes.push_back(static_cast<int>(size));
     count *= static_cast<std::size_t>(size);
     if (count > kMostElements) session.fail("This array would need more memory than is allowed.", "limit-memory");
     session.reader.expect(TokenKind::kRightSquare);
   } while (stream.at_written(TokenKind::kLeftSquare) && session.reader.accept(TokenKind::kLeftSquare));
-  session.resources.charge(count * sizeof(Value));
-  array->elements.resize(count);
+  session.resources.require(static_cast<double>(count * sizeof(double)));
+  auto array = std::make_shared<Array>(std::move(sizes));
   std::size_t position = 0;
   if (stream.at_written(TokenKind::kLeftBrace)) parse_initialiser(session, *array, 0, position);
   return array;
 }
 
-Slot select_element(Session& session, const ArrayPtr& array, std::uint8_t& subscripts) {
+std::size_t select_element(Session& session, const Array& array, std::uint8_t& subscripts) {
   TokenStream& stream = session.stream;
   const TokenStream::Aside aside(stream, true);
   std::size_t index = 0;
-  for (const int size : array->sizes) {
+  for (const int size : array.sizes) {
     const Item open = stream.take_raw();
     if (!open.is(TokenKind::kLeftSquare)) session.fail_expected("[", open);
     const double subscript = session.reader.number() + kEpsilon;
@@ -172,14 +185,24 @@ Slot select_element(Session& session, const ArrayPtr& array, std::uint8_t& subsc
     index = index * static_cast<std::size_t>(size) + static_cast<std::size_t>(subscript);
     ++subscripts;
   }
-  return Slot(array, &array->elements[index]);
+  return index;
+}
+
+WrittenElement written_element(Session& session, const Value& value) {
+  WrittenElement element;
+  const Value* next = &value;
+  std::uint8_t subscripts = 0;
+  while (next != nullptr && next->holds<ArrayPtr>() && session.stream.at_written(TokenKind::kLeftSquare)) {
+    element.array = *next->get_if<ArrayPtr>();
+    element.index = select_element(session, *element.array, subscripts);
+    next = element.array->elements.find_value(element.index);
+  }
+  return element;
 }
 
 void assign(Session& session, Value& target, Value value) {
-  if (target.holds<FunctionPtr>()) {
-    session.fail("Redeclaring functions is not allowed - #undef the function first!", "function-redeclared");
-  }
-  if (const Number* number = value.get_if<Number>(); number != nullptr && number->count == 5) value = Number(number->color());
+  if (target.holds<FunctionPtr>()) refuse_redeclaration(session);
+  round_color(value);
   target = std::move(value);
 }
 
@@ -235,8 +258,7 @@ void end_declaration(Session& session, bool numeric) {
 struct DeclareTarget {
   NameId id = 0;
   std::uint32_t table = 0;  // the scope of the identifier
-  ArrayPtr array;           // null: the identifier itself
-  Slot element;
+  WrittenElement element;   // no array: the identifier itself
 };
 
 // Marks the name whose value is being read, also when reading it throws.
@@ -266,18 +288,13 @@ DeclareTarget read_target(Session& session, const Item& name, bool local) {
     target.table = known != nullptr ? known->table : 0;
   }
   if (undeclared) return target;
-  target.element = name.slot;
-  std::uint8_t subscripts = 0;
-  while (target.element->holds<ArrayPtr>() && session.stream.at_written(TokenKind::kLeftSquare)) {
-    target.array = *target.element->get_if<ArrayPtr>();
-    target.element = select_element(session, target.array, subscripts);
-  }
+  target.element = written_element(session, *name.slot);
   return target;
 }
 
 void store(Session& session, const DeclareTarget& target, Slot value, std::shared_ptr<Deprecation> deprecation) {
-  if (target.array) {
-    set_element(session, *target.array, *target.element, std::move(*value));
+  if (target.element.array) {
+    set_element(session, *target.element.array, target.element.index, std::move(*value));
     return;
   }
   const std::uint32_t table = std::min(target.table, session.symbols.newest());  // the value may have ended the scope
@@ -312,7 +329,7 @@ void run_declare(Session& session, bool local) {
     value = parse_value(session, ValueUse::kDeclare);
   }
   end_declaration(session, value.numeric);
-  if (value.numeric && !target.array && keyword + 1 == name.source && name.source + 1 == equals.source) {
+  if (value.numeric && !target.element.array && keyword + 1 == name.source && name.source + 1 == equals.source) {
     KnownDirective known;
     known.word = local ? Word::kLocal : Word::kDeclare;
     known.name = target.id;
@@ -329,15 +346,11 @@ void run_undef(Session& session) {
     return;
   }
   if (!name.is(TokenKind::kIdentifier)) session.fail_expected("undeclared identifier", name);
-  Slot slot = name.slot;
-  std::uint8_t subscripts = 0;
-  while (slot->holds<ArrayPtr>() && stream.at_written(TokenKind::kLeftSquare)) {
-    const ArrayPtr array = *slot->get_if<ArrayPtr>();
-    slot = select_element(session, array, subscripts);
-  }
-  if (subscripts > 0) {
-    if (slot->empty()) session.fail_at("Attempt to access uninitialized array element.", "uninitialized", name);
-    *slot = Value();
+  if (const WrittenElement element = written_element(session, *name.slot); element.array) {
+    if (!element.array->elements.has_value(element.index)) {
+      session.fail_at("Attempt to access uninitialized array element.", "uninitialized", name);
+    }
+    element.array->elements.set(element.index, Value());
   } else {
     session.symbols.remove(name.token.index);
   }

@@ -52,8 +52,14 @@ struct ParsedValue {
 enum class ValueUse : std::uint8_t { kDeclare, kArgument, kElement };
 ParsedValue parse_value(Session& session, ValueUse use);
 Value parse_array(Session& session);  // the keyword was taken
-// The element that `[...]...` selects; the `[` is next in the raw stream.
-Slot select_element(Session& session, const ArrayPtr& array, std::uint8_t& subscripts);
+// The index of the element that `[...]...` selects; the `[` is next in the raw stream.
+std::size_t select_element(Session& session, const Array& array, std::uint8_t& subscripts);
+// What the subscripts that are written behind a declared name select: also an element without a value. No array: there are none.
+struct WrittenElement {
+  ArrayPtr array;
+  std::size_t index = 0;
+};
+WrittenElement written_element(Session& session, const Value& value);
 
 // text_stream.cpp
 void run_text_stream(Session& session, Word word);

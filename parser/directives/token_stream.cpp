@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "parser/directives/directive.hpp"
+#include "parser/value/array.hpp"
 
 namespace lute {
 
@@ -263,7 +264,7 @@ void TokenStream::resolve(Item& item, bool read_subscripts) {
     if (frame.cursor == frame.end || frame.cursor->kind != TokenKind::kLeftSquare) break;
     const ArrayPtr keep = *array;
     const bool first = item.subscripts == 0;
-    item.slot = select_element(session_, keep, item.subscripts);
+    item.slot = ArrayElements::reference(keep, select_element(session_, *keep, item.subscripts));
     if (!first) session_.expressions.recording.reset();
   }
 }

@@ -9,6 +9,7 @@
 
 #include "parser/directives/directive.hpp"
 #include "parser/expression/expression.hpp"
+#include "parser/value/array.hpp"
 
 namespace lute {
 
@@ -134,12 +135,8 @@ Slot read_target(Session& session) {
     return session.symbols.add(name.token.index, 0, std::make_shared<Value>()).slot;
   }
   if (!name.is(TokenKind::kIdentifier)) session.fail_expected("undeclared identifier", name);
-  Slot slot = name.slot;
-  std::uint8_t subscripts = 0;
-  while (slot->holds<ArrayPtr>() && stream.at_written(TokenKind::kLeftSquare)) {
-    const ArrayPtr array = *slot->get_if<ArrayPtr>();
-    slot = select_element(session, array, subscripts);
-  }
+  const WrittenElement element = written_element(session, *name.slot);
+  const Slot slot = element.array ? ArrayElements::reference(element.array, element.index) : name.slot;
   const Number* number = slot->get_if<Number>();
   const bool readable = slot->holds<String>() || (number != nullptr && (number->count == 1 || number->count == 3));
   if (!readable) {

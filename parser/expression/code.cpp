@@ -1,6 +1,7 @@
 #include "parser/expression/code.hpp"
 
 #include "parser/expression/recorder.hpp"
+#include "parser/value/array.hpp"
 
 namespace lute {
 
@@ -184,14 +185,13 @@ class Machine {
   }
 
   bool element(const CodeInstruction& i) {
-    const ArrayPtr& array = *session_.symbols.find_value(i.index)->get_if<ArrayPtr>();
+    const Array& array = **session_.symbols.find_value(i.index)->get_if<ArrayPtr>();
     const std::size_t first = stack_.size() - i.count;
-    const Value& value = array->elements[element_index(session_, *array, stack_.data() + first)];
-    const Number* const number = value.get_if<Number>();
-    if (value.empty()) session_.fail("Attempt to access uninitialized array element.", "uninitialized");
-    if (number == nullptr) return false;
-    replace(first, *number);
-    return true;
+    const std::size_t index = element_index(session_, array, stack_.data() + first);
+    stack_.resize(first + 1);
+    if (array.elements.get_number(index, stack_.back())) return true;
+    if (!array.elements.has_value(index)) session_.fail("Attempt to access uninitialized array element.", "uninitialized");
+    return false;
   }
 
   void vector(std::uint16_t count) {

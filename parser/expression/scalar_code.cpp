@@ -5,6 +5,7 @@
 
 #include "parser/expression/expression.hpp"
 #include "parser/session.hpp"
+#include "parser/value/array.hpp"
 
 namespace lute {
 
@@ -150,9 +151,8 @@ std::optional<double> element(const ScalarCode& code, const ScalarInstruction& i
     if (!(subscript >= 0 && subscript < array.sizes[k])) return std::nullopt;
     index = index * static_cast<std::size_t>(array.sizes[k]) + static_cast<std::size_t>(subscript);
   }
-  const Number* const number = array.elements[index].get_if<Number>();
-  if (number == nullptr || !number->is_float()) return std::nullopt;
-  return number->c[0];
+  double value = 0;
+  return array.elements.get_float(index, value) ? std::optional(value) : std::nullopt;
 }
 
 double binary(Session& session, TokenKind op, double left, double right) {

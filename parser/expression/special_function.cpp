@@ -5,6 +5,7 @@
 
 #include "parser/directives/directive.hpp"
 #include "parser/expression/recorder.hpp"
+#include "parser/value/array.hpp"
 
 namespace lute {
 

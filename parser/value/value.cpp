@@ -1,5 +1,7 @@
 #include "parser/value/value.hpp"
 
+#include "parser/value/array.hpp"
+
 namespace lute {
 
 Color Number::color() const {
@@ -11,17 +13,15 @@ Value copy(const Value& value) {
   const ArrayPtr* array = value.get_if<ArrayPtr>();
   if (array == nullptr) return value;
   auto result = std::make_shared<Array>(**array);
-  for (Value& element : result->elements) element = copy(element);
+  result->elements.for_each_value([](Value& element) { element = copy(element); });
   return result;
 }
 
 std::uint64_t size_of_copy(const Value& value) {
   const ArrayPtr* array = value.get_if<ArrayPtr>();
   if (array == nullptr) return 0;
-  std::uint64_t bytes = sizeof(Array) + (*array)->elements.size() * sizeof(Value);
-  if ((*array)->nesting > 1) {
-    for (const Value& element : (*array)->elements) bytes += size_of_copy(element);
-  }
+  std::uint64_t bytes = sizeof(Array) + (*array)->elements.bytes();
+  (*array)->elements.for_each_value([&](const Value& element) { bytes += size_of_copy(element); });
   return bytes;
 }
 

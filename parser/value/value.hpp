@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 #include "engine/function/function.hpp"
 #include "engine/scene/scene.hpp"
@@ -35,19 +34,10 @@ struct Number {
 
 using String = std::shared_ptr<const std::u16string>;
 
-struct Value;
-
-struct Array {
-  std::vector<int> sizes;       // 1 to 5 of them
-  std::vector<Value> elements;  // row-major; unset elements hold nothing. Never resized: macro arguments point to elements.
-  int nesting = 1;              // arrays in arrays
-  std::size_t type = 0;         // of what was assigned last: index of Value's alternative, numbers distinguished by count; see type_code()
-  std::string_view type_name;   // the same for messages
-};
-using ArrayPtr = std::shared_ptr<Array>;
-
+struct Array;     // parser/value/array.hpp
 struct Macro;     // parser/directives/macro.hpp
 struct UserFile;  // parser/directives/user_file.hpp
+using ArrayPtr = std::shared_ptr<Array>;
 using MacroPtr = std::shared_ptr<const Macro>;
 using UserFilePtr = std::shared_ptr<UserFile>;
 

@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include "parser/resource_meter.hpp"
 #include "tests/file_text.hpp"
 #include "tests/parser/read_text.hpp"
 
@@ -125,6 +126,41 @@ TEST(Array, KeepsItsElementType) {
   EXPECT_NE(error_of("#declare A=array[3]{1,2}"), "");
   EXPECT_NE(error_of("#declare A=array[1]{1,2}"), "");
   EXPECT_EQ(values("#declare A=array[2]{1,2} #declare B=A; #declare B[0]=9; P(A[0]) P(dimensions(B))"), "1.000000\n1.000000\n");
+}
+
+// The reference's binary: a parameter goes on being the element, whatever else happens to the array. Of elements that get another type
+// that way it reads rubbish; here each has the type of its value.
+TEST(Array, ElementsPassedByReferenceStayElements) {
+  EXPECT_EQ(values("#macro M(E) #declare E=7; P(Q[1]) #declare Q[1]=8; P(E) #undef Q[1] #declare Q[1]=9; P(E) #end\n"
+                   "#declare Q=array[2]{1,2} M(Q[1]) P(Q[1]) P(Q[0])"),
+            "7.000000\n8.000000\n9.000000\n9.000000\n1.000000\n");
+  EXPECT_EQ(values("#macro M(E,F) #declare E=E+1; #declare F=F*10; #end #declare Q=array[2]{1,2} M(Q[1],Q[1]) P(Q[1])\n"
+                   "M(Q[0],Q[1]) P(Q[0]) P(Q[1])"),
+            "30.000000\n2.000000\n300.000000\n");
+  EXPECT_EQ(values("#macro M(E) #declare E=7; #declare C=Q; #declare E=8; P(C[0]) #end #declare Q=array[1]{1}\n"
+                   "M(Q[0]) P(C[0]) P(Q[0])"),
+            "7.000000\n7.000000\n8.000000\n");
+  EXPECT_EQ(printed("#macro M(E) #declare E=\"text\" #end #declare Q=array[3]{1,2,3} M(Q[1])\n"
+                    "#debug concat(str(Q[0],0,0),Q[1],str(Q[2],0,0),\"\\n\") #declare R=Q; #debug concat(R[1],\"\\n\")"),
+            "1text3\ntext\n");
+}
+
+// 8 bytes for a float and 24 for a vector, and what marks the elements that have a value: the process must not grow by three times
+// that while a million elements are filled.
+TEST(Array, OfNumbersLiesPacked) {
+  const auto growth = [](const std::string& value) {
+    ParseOptions options;
+    const std::uint64_t before = resident_bytes();
+    std::uint64_t after = 0;
+    options.on_debug = [&](std::string_view) { after = resident_bytes(); };
+    options.input_file = "test.pov";
+    options.input_text = "#version 3.7; #declare A=array[1000000]; #declare A[0]=" + value + "; #declare I=1; #while (I < 1000000)"
+                         " #declare A[I]=A[I-1]; #declare I=I+1; #end #debug \"filled\\n\"";
+    EXPECT_TRUE(parse_scene(options).ok);
+    return static_cast<double>(after) - static_cast<double>(before);
+  };
+  EXPECT_LT(growth("2"), 16e6);
+  EXPECT_LT(growth("<1,2,3>"), 32e6);
 }
 
 TEST(Spline, FollowsTheChapter) {

@@ -58,6 +58,7 @@ constexpr Advice kAdvice[] = {
     {"Expected 'numeric expression'", "}", "a value is missing in front of the }"},
     {"Expected 'numeric expression'", ",", "a value is missing in front of the comma"},
     {"Expected 'numeric expression'", ";", "a value is missing in front of the ';'"},
+    {"Expected '>'", ",", "a vector has at most five components"},
     {"Expected '>'", ">=", "write a blank between > and ="},
     {"Expected '>'", "*", "in a #version below 1.5 operators stand in parentheses only: (a * b)"},
     {"Expected '>'", "/", "in a #version below 1.5 operators stand in parentheses only: (a / b)"},

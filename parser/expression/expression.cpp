@@ -2,6 +2,8 @@
 // climbing parser. Source: specification chapter 10 §7.1.
 #include "parser/expression/expression.hpp"
 
+#include <algorithm>
+
 #include <boost/spirit/home/x3.hpp>
 
 #include "parser/expression/climb.hpp"
@@ -78,6 +80,7 @@ int level_of(TokenKind kind) {
 }
 
 constexpr int kAdditiveLevel = 3;
+constexpr int kMostComponents = 5;
 
 // Operators of the scene language: applied at once, and recorded.
 struct Operators {
@@ -105,9 +108,12 @@ bool parse_vector(Session& session, Number& result) {
   result.count = 0;
   do {
     const Number part = promoted(session, parse_nested(session, Level::kAdditive), 1);
-    result.c[static_cast<std::size_t>(result.count++)] = part.c[0];
-    session.reader.comma();
-  } while (result.count < 2 || (result.count < 5 && starts_number(stream.peek())));
+    // As in the reference, what follows the fifth without a comma takes its place.
+    if (result.count == kMostComponents) stop_recording(session);
+    result.count = std::min(result.count + 1, kMostComponents);
+    result.c[static_cast<std::size_t>(result.count - 1)] = part.c[0];
+    if (result.count < kMostComponents) session.reader.comma();
+  } while (result.count < 2 || starts_number(stream.peek()));
   const Item& closing = stream.peek();
   if (!closing.is(TokenKind::kGreater)) session.fail_expected(">", closing);
   stream.take();
@@ -325,7 +331,7 @@ bool parse_literal(Session& session, Level level, Number& result) {
     result = Number();
     result.count = 0;
     for (;;) {
-      if (result.count == 5 || !literal(p, result.c[static_cast<std::size_t>(result.count)])) return false;
+      if (result.count == kMostComponents || !literal(p, result.c[static_cast<std::size_t>(result.count)])) return false;
       ++result.count;
       if (p->kind == TokenKind::kComma) {
         ++p;

@@ -6,6 +6,21 @@
 namespace lute::test {
 namespace {
 
+// The reference's binary: behind the fifth component no comma may stand, and further ones take its place.
+TEST(Vector, LastComponentWithoutCommaTakesThePlaceOfTheFifth) {
+  const auto color = [](const std::string& vector) {
+    return printed("#declare V=" + vector + "; #debug concat(str(V.red,0,0),str(V.blue,0,0),str(V.filter,0,0),str(V.transmit,0,0),\"\\n\")");
+  };
+  EXPECT_EQ(color("<1, 2 3 4 5 6>"), "1346\n");
+  EXPECT_EQ(color("<1 2 3 4, 5 6 7>"), "1347\n");
+  EXPECT_EQ(color("<1,2,3,4,5 -6>"), "134-1\n");
+  EXPECT_EQ(printed("#for (I,1,3) #declare V=<1,2,3,4,5 I>; #debug str(V.transmit,0,0) #end #debug \"\\n\""), "123\n");
+  for (const char* vector : {"<1,2,3,4,5,6>", "<1,2,3,4,5,>", "<1,2,3,4,5 6,7>"}) {
+    EXPECT_EQ(color(vector), "error: Expected '>', ,  found instead") << vector;
+  }
+  EXPECT_EQ(color("<1,2,3,4,>.filter*<1,0,0,0,1>"), "4004\n");
+}
+
 TEST(Random, FollowsTheReferencesGenerator) {
   EXPECT_EQ(printed("#macro P(V) #debug concat(str(V,0,12),\"\\n\") #end\n#declare S=seed(0); P(rand(S)) P(rand(S)) P(rand(S))\n"
                     "#declare S=seed(12345); P(rand(S))\n#declare S=seed(-1); P(rand(S))"),

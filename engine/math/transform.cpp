@@ -39,6 +39,7 @@ Transform Transform::scale(const dvec3& factors) {
   for (int i = 0; i < 3; ++i) {
     t.linear[i][i] = factors[i];
     t.inverse_linear[i][i] = 1.0 / factors[i];
+    if (factors[i] < 0) t.flips = static_cast<std::uint8_t>(t.flips | 1 << i);
   }
   t.kinds = factors.x == factors.y && factors.y == factors.z ? kUniformScale : kScale;
   return t;
@@ -70,6 +71,7 @@ Transform Transform::then(const Transform& next) const {
   t.inverse_linear = inverse_linear * next.inverse_linear;
   t.inverse_translation = inverse_linear * next.inverse_translation + inverse_translation;
   t.kinds = static_cast<std::uint8_t>(kinds | next.kinds);
+  t.flips = kinds & (kRotate | kMatrix) ? flips : static_cast<std::uint8_t>(flips ^ next.flips);
   return t;
 }
 
@@ -77,6 +79,14 @@ Transform Transform::inverse() const {
   Transform t = *this;
   std::swap(t.linear, t.inverse_linear);
   std::swap(t.translation, t.inverse_translation);
+  t.flips = 0;
+  return t;
+}
+
+Transform Transform::as_matrix() const {
+  Transform t = *this;
+  t.kinds |= kMatrix;
+  t.flips = 0;
   return t;
 }
 

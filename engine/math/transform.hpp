@@ -2,8 +2,8 @@
 //
 // Points are columns here (p' = linear * p + translation); the scene language writes them as rows, which is the same numbers
 // transposed: the image of x is the first column of `linear`. Angles are degrees, rotations left-handed, about x, then y, then z
-// (specification chapters 10 §8.3 and 11 §13). `kinds` remembers what the transformation is made of, because some shapes keep
-// their analytic form under some kinds only (chapter 20 §5).
+// (specification chapters 10 §8.3 and 11 §13). `kinds` and `flips` remember what the transformation is made of, because some shapes
+// keep their analytic form under some kinds only (chapter 20 §5), and fold into their own numbers what is written before the others.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +28,7 @@ struct Transform {
   dmat3 inverse_linear{1.0};
   dvec3 inverse_translation{0};
   std::uint8_t kinds = 0;  // union of Kind; 0: identity
+  std::uint8_t flips = 0;  // bit a: the scales before the first rotation or matrix turn axis a round
 
   static Transform translate(const dvec3& offset);
   static Transform rotate(const dvec3& degrees);
@@ -42,6 +43,7 @@ struct Transform {
   // First this, then `next` (the order in which modifiers are written).
   Transform then(const Transform& next) const;
   Transform inverse() const;
+  Transform as_matrix() const;  // the same as one `matrix`: nothing of it is folded
 
   dvec3 point(const dvec3& p) const { return linear * p + translation; }
   dvec3 direction(const dvec3& d) const { return linear * d; }

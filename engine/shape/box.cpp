@@ -56,8 +56,15 @@ class SlabBox final : public ScannedShape<SlabBox> {
     return turned_ ? glm::normalize(to_world_->normal(n)) : n;
   }
   dvec2 uv(const ShapeHit& hit, const dvec3& point) const override {
-    const dvec3 p = (local_point(point) - lo_) / (hi_ - lo_);
-    switch (hit.part) {
+    dvec3 p = (local_point(point) - lo_) / (hi_ - lo_);
+    std::uint32_t face = hit.part;
+    if (turned_)
+      for (std::uint32_t axis = 0; axis < 3; ++axis) {
+        if (!(to_world_->flips >> axis & 1)) continue;
+        p[static_cast<int>(axis)] = 1 - p[static_cast<int>(axis)];
+        if (face / 2 == axis) face ^= 1;
+      }
+    switch (face) {
       case 0: return {p.z / 4, 1.0 / 3 + p.y / 3};
       case 1: return {0.75 - p.z / 4, 1.0 / 3 + p.y / 3};
       case 2: return {0.25 + p.x / 4, p.z / 3};

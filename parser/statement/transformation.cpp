@@ -47,11 +47,7 @@ std::optional<Transform> accept_transformation(Reader& reader) {
 }
 
 Transform parse_transform(Reader& reader) {
-  if (const auto named = reader.accept_identifier<TransformPtr>()) {
-    Transform transform = **named;
-    transform.kinds |= Transform::kMatrix;
-    return transform;
-  }
+  if (const auto named = reader.accept_identifier<TransformPtr>()) return (*named)->as_matrix();
   reader.open(Word::kTransform);
   Transform composed;
   bool inverse = false;
@@ -62,9 +58,7 @@ Transform parse_transform(Reader& reader) {
     else break;
   }
   reader.close(Word::kTransform);
-  if (inverse) composed = composed.inverse();
-  composed.kinds |= Transform::kMatrix;
-  return composed;
+  return (inverse ? composed.inverse() : composed).as_matrix();
 }
 
 }  // namespace lute

@@ -30,6 +30,16 @@ TEST(Transform, InverseUndoesEveryKind) {
   expect_near(t.inverse().point(t.point(p)), p, 1e-12);
 }
 
+TEST(Transform, RemembersFlipsBeforeTheFirstTurnOnly) {
+  const Transform flip_x = Transform::scale({-1, 2, 1}), turn = Transform::rotate({0, 30, 0}), flip_yx = Transform::scale({-1, -3, 1});
+  EXPECT_EQ(flip_x.then(turn).then(flip_yx).flips, 1);
+  EXPECT_EQ(flip_x.then(Transform::translate({1, 2, 3})).then(flip_yx).then(turn).flips, 2);
+  EXPECT_EQ(turn.then(flip_x).flips, 0);
+  EXPECT_EQ(flip_x.then(turn.then(flip_x)).flips, 1);  // what an enclosing object adds is one transformation here
+  EXPECT_EQ(flip_x.as_matrix().flips, 0);
+  EXPECT_EQ(flip_x.then(flip_x.as_matrix()).flips, 1);
+}
+
 TEST(Transform, NormalStaysPerpendicularUnderUnevenScale) {
   const Transform t = Transform::scale({1, 4, 1});
   const dvec3 tangent = t.direction({1, -1, 0});

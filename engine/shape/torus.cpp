@@ -12,6 +12,19 @@ namespace lute {
 
 namespace {
 
+dvec3 normal_of_tube(const Transform& to_world, double major, const dvec3& point) {
+  const dvec3 p = to_world.inverse_point(point);
+  const double rho = std::hypot(p.x, p.z);
+  const dvec3 axis = rho > kEpsilon * std::abs(major) ? dvec3(p.x, 0, p.z) * (major / rho) : dvec3(0);
+  return glm::normalize(to_world.normal(p - axis));
+}
+
+dvec2 uv_of_tube(const Transform& to_world, double major, const dvec3& point) {
+  const dvec3 p = to_world.inverse_point(point);
+  const double along = std::atan2(p.y, std::hypot(p.x, p.z) - major);
+  return {1 - (std::atan2(p.z, p.x) + kPi) / (2 * kPi), (along + kPi) / (2 * kPi)};
+}
+
 class Ring final : public ScannedShape<Ring> {
  public:
   Ring(const Torus& torus, const SharedTransform& to_world)
@@ -59,17 +72,8 @@ class Ring final : public ScannedShape<Ring> {
     const double g = std::hypot(p.x, p.z) - major_;
     return g * g + p.y * p.y <= minor_ * minor_;
   }
-  dvec3 normal(const ShapeHit&, const dvec3& point) const override {
-    const dvec3 p = to_world_->inverse_point(point);
-    const double rho = std::hypot(p.x, p.z);
-    const dvec3 axis = rho > kEpsilon * major_ ? dvec3(p.x, 0, p.z) * (major_ / rho) : dvec3(0);
-    return glm::normalize(to_world_->normal(p - axis));
-  }
-  dvec2 uv(const ShapeHit&, const dvec3& point) const override {
-    const dvec3 p = to_world_->inverse_point(point);
-    const double along = std::atan2(p.y, std::hypot(p.x, p.z) - major_);
-    return {1 - (std::atan2(p.z, p.x) + kPi) / (2 * kPi), (along + kPi) / (2 * kPi)};
-  }
+  dvec3 normal(const ShapeHit&, const dvec3& point) const override { return normal_of_tube(*to_world_, major_, point); }
+  dvec2 uv(const ShapeHit&, const dvec3& point) const override { return uv_of_tube(*to_world_, major_, point); }
 
  private:
   bool cut_by_slab(const Ray& ray, Interval& stretch) const {
@@ -118,11 +122,62 @@ class Ring final : public ScannedShape<Ring> {
   SharedTransform to_world_;
 };
 
+// Whatever the signs of the radii, the reference computes the whole tube, but only for rays that meet the hollow cylinder
+// |y| <= r, max(0, R - r) <= √(x² + z²) <= |R + r|, which holds the tube if R is not negative.
+class WindowedRing final : public ScannedShape<WindowedRing> {
+ public:
+  WindowedRing(const Torus& torus, const SharedTransform& to_world)
+      : ring_({std::abs(torus.major_radius), std::abs(torus.minor_radius), false}, to_world),
+        major_(torus.major_radius), minor_(torus.minor_radius), to_world_(to_world) {}
+
+  template <class Sink>
+  void scan(const Ray& ray, Interval range, Sink&& sink) const {
+    if (meets_window(to_world_->inverse_ray(ray))) ring_.scan(ray, range, sink);
+  }
+
+  Aabb bounds() const override { return ring_.bounds(); }
+  bool inside(const dvec3& point) const override {
+    const dvec3 p = to_world_->inverse_point(point);
+    const double g = std::hypot(p.x, p.z) - major_;
+    return g * g + p.y * p.y <= minor_ * minor_;
+  }
+  dvec3 normal(const ShapeHit&, const dvec3& point) const override { return normal_of_tube(*to_world_, major_, point); }
+  dvec2 uv(const ShapeHit&, const dvec3& point) const override { return uv_of_tube(*to_world_, major_, point); }
+
+ private:
+  bool meets_window(const Ray& ray) const {
+    const double inner = std::max(0.0, major_ - minor_), outer = std::abs(major_ + minor_);
+    const dvec3& p = ray.origin;
+    const dvec3& d = ray.direction;
+    for (const double y : {-minor_, minor_}) {
+      const double t = (y - p.y) / d.y;  // of a level ray infinite or no number
+      const double rho = std::hypot(p.x + t * d.x, p.z + t * d.z);
+      if (t > 0 && inner <= rho && rho <= outer) return true;
+    }
+    const double a = d.x * d.x + d.z * d.z, b = p.x * d.x + p.z * d.z, across = p.x * d.z - p.z * d.x;
+    for (const double radius : {inner, outer}) {
+      const double square = a * radius * radius - across * across;
+      if (!(square >= 0) || radius == 0) continue;
+      for (const double root : {-std::sqrt(square), std::sqrt(square)}) {
+        const double t = (root - b) / a, y = p.y + t * d.y;
+        if (t > 0 && -minor_ <= y && y <= minor_) return true;
+      }
+    }
+    return false;
+  }
+
+  Ring ring_;
+  double major_, minor_;
+  SharedTransform to_world_;
+};
+
 }  // namespace
 
 std::unique_ptr<Shape> build(const Torus& torus, const SharedTransform& to_world, BuildContext&) {
-  if (!(torus.minor_radius > 0) || !(torus.major_radius >= 0)) return build_empty_shape(false);
-  return std::make_unique<Ring>(torus, to_world);
+  const double major = torus.major_radius, minor = torus.minor_radius;
+  if (major >= 0 && minor > 0) return std::make_unique<Ring>(torus, to_world);
+  if (major < 0 && minor != 0) return std::make_unique<WindowedRing>(torus, to_world);
+  return build_empty_shape(false);
 }
 
 }  // namespace lute

@@ -24,6 +24,28 @@ TEST(Torus, TracesTheTube) {
 // Check case 3.
 TEST(Torus, SurfaceIsInside) { EXPECT_TRUE(make(Torus{1, .25})->inside({1.25, 0, 0})); }
 
+// POV-Ray's trace() and inside() of tori with negative radii. Of these rays it shows what they meet of the tube of radius |R| if they pass
+// the ring of the radii as written: here |y| <= 0.3, √(x² + z²) <= 0.7, or 1.3 by the end faces alone where r is negative too.
+TEST(Torus, NegativeMajorRadiusIsSeenThroughItsWindow) {
+  const auto thin = make(Torus{-1, .3});
+  EXPECT_TRACE(*thin, dvec3(.2, .1, -5), kZ, dvec3(.2, .1, -1.2671564), dvec3(0.1557544, 0.0437631, -0.9868259));
+  EXPECT_TRACE(*thin, dvec3(0), dvec3(1, 0, 0), dvec3(.7, 0, 0), dvec3(1, 0, 0));
+  EXPECT_FALSE(trace(*thin, {.9, .1, -5}, kZ));
+  EXPECT_FALSE(trace(*thin, {1, 5, 0}, -kY));
+  EXPECT_FALSE(thin->inside({1, 0, 0}));
+  const auto both = make(Torus{-1, -.3});
+  EXPECT_FALSE(trace(*both, {.2, .1, -5}, kZ));
+  EXPECT_TRACE(*both, dvec3(1.1, 3, 0), -kY, dvec3(1.1, 0.2828427, 0), dvec3(0.9910513, 0.1334817, 0));
+  EXPECT_TRACE(*both, dvec3(0, 5, 0), dvec3(.23, -1, 0), dvec3(1.0837428, 0.2880749, 0), dvec3(0.9905785, 0.1369463, 0));
+  const auto stout = make(Torus{-.3, 1});
+  EXPECT_TRACE(*stout, dvec3(.6, .1, -5), kZ, dvec3(.6, .1, -1.1476029), dvec3(0.4624170, 0.0625736, -0.8844518));
+  EXPECT_TRACE(*stout, dvec3(.3, 5, .2), -kY, dvec3(.3, 0.9981649, .2), dvec3(0.4591834, 0.8339303, 0.3061222));
+  EXPECT_FALSE(trace(*stout, {.9, .1, -5}, kZ));
+  EXPECT_TRUE(stout->inside({.1, 0, 0}));
+  EXPECT_FALSE(stout->inside({.75, 0, 0}));
+  EXPECT_FALSE(trace(*make(Torus{1, -.3}), {1, 5, 0}, -kY));
+}
+
 TEST(Torus, RayThroughTheMiddleHasFourHits) {
   ShapeHits hits;
   make(Torus{1, .25})->hits({{-5, 0, 0}, {1, 0, 0}}, {0, 1e10}, hits);

@@ -1,12 +1,13 @@
 #include "engine/shape/container.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace lute {
 
 Aabb Container::box() const {
-  return is_sphere ? Aabb{center - dvec3(radius), center + dvec3(radius)} : Aabb{lo, hi};
+  return is_sphere ? Aabb{center - dvec3(std::abs(radius)), center + dvec3(std::abs(radius))} : Aabb{lo, hi};
 }
 
 namespace {
@@ -17,7 +18,7 @@ bool is_finite(Interval depths) { return std::isfinite(depths.lo) && std::isfini
 }  // namespace
 
 bool Container::contains(const dvec3& p) const {
-  return is_sphere ? glm::length(p - center) <= radius : Aabb{lo, hi}.contains(p);
+  return is_sphere ? glm::length(p - center) <= std::abs(radius) : Aabb{lo, hi}.contains(p);
 }
 
 bool Container::cross(const Ray& ray, Passage& passage) const {
@@ -67,11 +68,6 @@ dvec3 Container::normal(std::uint32_t face, const dvec3& p) const {
   return n;
 }
 
-double depth_accuracy(double accuracy, const Container& container, const Transform& to_world) {
-  constexpr double kSmall = 0.05;  // share of the container
-  const auto size = [](const Aabb& box) { return glm::length(box.hi - box.lo); };
-  const double world = size(to_world.box(container.box()));
-  return accuracy < kSmall * world ? accuracy : accuracy * world / size(container.box());
-}
+double depth_accuracy(double accuracy, const Ray& local) { return accuracy / std::max(1.0, glm::length(local.direction)); }
 
 }  // namespace lute

@@ -15,7 +15,7 @@ struct Container {
   bool is_sphere = false;
   dvec3 lo{-1}, hi{1};  // of a box, sorted
   dvec3 center{0};      // of a sphere
-  double radius = 1;
+  double radius = 1;      // its sign tells of the normal alone
 
   Aabb box() const;
   bool contains(const dvec3& p) const;
@@ -29,11 +29,13 @@ struct Container {
   // The whole line; the direction need not be of unit length. False as well where the depths are not finite.
   bool cross(const Ray& ray, Passage& passage) const;
 
+  // The reference misses its own surface where the radius is negative, and shades a closed end like the surface in it.
+  bool has_normal(std::uint32_t face) const { return face != kRound || radius >= 0; }
   dvec3 normal(std::uint32_t face, const dvec3& p) const;  // outward
 };
 
-// An accuracy that is a length along the ray in world units, as the reference has it. Where it is not small beside the container, as after
-// scaling a shape down to 1e-6, it counts in the shape's own units.
-double depth_accuracy(double accuracy, const Container& container, const Transform& to_world);
+// The step along a ray that counts as short: no longer than the accuracy in world units, as the reference has it, nor in the shape's own, so
+// that a shape which was scaled down keeps its form. `local`: the ray in the shape's space, for a direction of length 1 in the world.
+double depth_accuracy(double accuracy, const Ray& local);
 
 }  // namespace lute

@@ -3,14 +3,15 @@
 //
 //   isosurface { function { x*x + y*y + z*z - 0.25 } max_gradient 4 pigment { rgb 1 } }
 //
-// function: of x, y, z; where it is below the threshold (default 0) is inside. accuracy (0.001): length to which a root is bracketed.
-// max_gradient (1.1): a bound of the function's slope; a smaller number makes holes, a larger one takes longer. max_trace (1):
-// how many surfaces a ray meets; all_intersections: 10. open: without the cuts of the container.
+// function: of x, y, z; where it is below the threshold (default 0) is inside. accuracy (0.001): length to which a root is bracketed,
+// in world units and in the shape's own. max_gradient (1.1): a bound of the function's slope; a smaller number makes holes, a larger
+// one takes longer. max_trace (1): how many surfaces a ray meets; all_intersections: 10. open: without the cuts of the container.
 // evaluate: raises max_gradient where steeper slopes are seen; every ray starts anew, so that the picture depends on nothing else.
 //
 // The ray's passage through the container is halved until the gradient bound proves a part empty or the part is shorter than the
 // accuracy: hits lie at binary fractions of the passage, as in the reference.
-// Source: specification chapter 21 §8.
+// Source: specification chapter 21 §8. Halving with a bound of the slope: D. Kalra, A. H. Barr, Guaranteed ray intersections with implicit
+// surfaces, 1989; what the bound does not prove, slope_tree.hpp does.
 #pragma once
 
 #include <array>

@@ -8,7 +8,9 @@
 // reference has it. max_gradient (1): a bound of the functions' slopes. precompute is accepted and changes nothing. A patch: no inside.
 //
 // Rectangles of u and v are halved while the box of the surface over them, known from the corners and the gradient bound, is met
-// by the ray. Source: specification chapter 21 §9.
+// by the ray. Source: specification chapter 21 §9. Dividing a patch where the ray meets its bound: T. Whitted, An Improved
+// Illumination Model for Shaded Display, 1980; bounds from the slope: B. Von Herzen, A. H. Barr, H. R. Zatz, Geometric Collisions for
+// Time-Dependent Parametric Surfaces, 1990.
 #pragma once
 
 #include <array>

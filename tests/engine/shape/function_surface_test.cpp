@@ -65,6 +65,34 @@ TEST(Isosurface, Transformed) {
   EXPECT_TRACE(*shape, dvec3(.1, .2, -15), kZ, dvec3(.1, .2, -1.157366), dvec3(0.934796, 0.101952, -0.340238));
 }
 
+// POV-Ray's trace() and inside(): a negative radius contains the same, but the ends that the container closes are shaded by the slope of
+// the function there, <0.4, 0.2, 0> + accuracy of <x, y, 0> each.
+TEST(Isosurface, ContainerOfNegativeRadius) {
+  Isosurface s = iso(tube, 4);
+  s.container.is_sphere = true;
+  s.container.radius = .9;
+  EXPECT_TRACE(*make(s), dvec3(.2, .1, -5), kZ, dvec3(.2, .1, -0.8717798), dvec3(0.2222222, 0.1111111, -0.9686442));
+  s.container.radius = -.9;
+  const auto shape = make(s);
+  EXPECT_TRACE(*shape, dvec3(.2, .1, -5), kZ, dvec3(.2, .1, -0.8717798), dvec3(0.8939809, 0.4481051, 0));
+  EXPECT_TRACE(*shape, dvec3(-5, .1, .2), kX, dvec3(-0.4895248, .1, .2), dvec3(-0.9795288, 0.2013040, 0));
+  EXPECT_TRUE(shape->inside({0, 0, .5}));
+  EXPECT_FALSE(shape->inside({0, 0, .95}));
+  EXPECT_NEAR(shape->bounds().hi.z, .9, 1e-15);
+}
+
+// The accuracy is a length in the world, as POV-Ray has it: at scale 100 the root is found to 0.001, not to 0.1. Where the shape is smaller
+// than it was written, it is as well a length in its own units, so that the form does not depend on the scale. True root: -0.4472136.
+TEST(Isosurface, AccuracyIsALengthInTheWorldAndInItsOwnUnits) {
+  const auto error = [](double scale) {
+    const auto traced = trace(*make(iso(ball, 4), Transform::scale(dvec3(scale))), scale * dvec3(.1, .2, -5), kZ);
+    return traced ? std::abs(traced->point.z / scale + std::sqrt(.2)) : 1;
+  };
+  EXPECT_LT(error(100), 1e-5);
+  EXPECT_LT(error(1), 1e-3);
+  for (const double scale : {.1, .05, .01, .001, 1e-4}) EXPECT_LT(error(scale), 1e-3) << "scale " << scale;
+}
+
 // x² + y² + z² - 0.25 as a program, whose slope is known: on the surface it is 1, at the corners of the container 2 √3.
 Isosurface known_ball(double max_gradient) {
   ExpressionBuilder e;

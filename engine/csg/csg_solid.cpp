@@ -299,15 +299,27 @@ void CsgSolid::leaves(std::vector<const Leaf*>& out) const {
   for (const auto& child : children_) child->leaves(out);
 }
 
-void CsgSolid::cutaway_shares(const dvec3& point, CutawayShares& out) const {
+// plain_inside(), but that the leaf which the point is on counts as inside.
+bool CsgSolid::plain_inside_on(const dvec3& point, const Leaf& on) const {
+  const auto inside_on = [&](const auto& child) {
+    if (child->inside(point)) return true;
+    if (const auto* csg = dynamic_cast<const CsgSolid*>(child.get())) return csg->plain_inside_on(point, on) && csg->in_clips(point);
+    const auto* leaf = dynamic_cast<const LeafSolid*>(child.get());
+    return leaf != nullptr && &leaf->leaf() == &on;
+  };
+  if (children_.empty()) return false;
+  return all_children_needed() ? std::ranges::all_of(children_, inside_on) : std::ranges::any_of(children_, inside_on);
+}
+
+void CsgSolid::cutaway_shares(const dvec3& point, const Leaf& on, CutawayShares& out) const {
   const std::size_t first = out.size();
   const std::size_t asked = kind_ == CsgKind::kDifference ? std::min<std::size_t>(1, children_.size()) : children_.size();
   for (std::size_t i = 0; i < asked; ++i) {
-    if (!children_[i]->plain_inside(point)) continue;
+    const bool inside = children_[i]->plain_inside(point);
     if (const auto* csg = dynamic_cast<const CsgSolid*>(children_[i].get())) {
-      csg->cutaway_shares(point, out);
+      if (inside || csg->plain_inside_on(point, on)) csg->cutaway_shares(point, on, out);
     } else if (const auto* leaf = dynamic_cast<const LeafSolid*>(children_[i].get())) {
-      if (leaf->leaf().texture.texture) out.emplace_back(&leaf->leaf(), 1);
+      if (inside && leaf->leaf().texture.texture) out.emplace_back(&leaf->leaf(), 1);
     }
   }
   if (kind_ == CsgKind::kDifference) return;

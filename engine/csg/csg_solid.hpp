@@ -52,8 +52,9 @@ class CsgSolid final : public Solid {
   Aabb hits_inside(const Aabb& region) const override;
   Aabb outside_bounds() const override;
 
-  // The textures of an untextured surface point under cutaway_textures (§6.5). Appends nothing where the surface is black.
-  void cutaway_shares(const dvec3& point, CutawayShares& out) const;
+  // The textures of an untextured surface point under cutaway_textures (§6.5). Appends nothing where the surface is black. The leaf whose
+  // surface the point is `on` counts as inside: what its own test says there is rounding.
+  void cutaway_shares(const dvec3& point, const Leaf& on, CutawayShares& out) const;
 
  private:
   bool all_children_needed() const { return lute::all_children_needed(kind_); }
@@ -64,6 +65,7 @@ class CsgSolid final : public Solid {
   bool survives(std::size_t child, const dvec3& point, RayKind kind, RecentRefusals& recent) const;
   bool refuses(std::size_t i, std::size_t child, const dvec3& point, RayKind kind) const;
   bool in_clips(const dvec3& point) const;
+  bool plain_inside_on(const dvec3& point, const Leaf& on) const;
   bool meets_bounds(const Ray& ray) const;
   bool limit(const Ray& ray, Interval& range) const;
   ChildTree set_boxes();

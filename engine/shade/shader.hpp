@@ -191,7 +191,7 @@ void Shader::for_each_texture(const Hit& hit, const Leaf& leaf, bool from_inside
   if (!has_parts) {
     CsgSolid::CutawayShares& shares = scratch_.shares;
     const std::size_t first = shares.size();
-    hit.cutaway->cutaway_shares(hit.point, shares);
+    hit.cutaway->cutaway_shares(hit.point, *hit.leaf, shares);
     const std::size_t end = shares.size();
     for (std::size_t i = first; i < end; ++i) {
       const auto [part, share] = shares[i];

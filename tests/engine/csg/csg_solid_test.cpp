@@ -210,9 +210,35 @@ TEST(Csg, CutawaySharesComeFromWhatThePointIsIn) {
   ASSERT_TRUE(csg->nearest({{0, 0, -10}, {0, 0, 1}}, kAhead, {}, hit));
   EXPECT_EQ(hit.cutaway, csg.get());
   CsgSolid::CutawayShares shares;
-  hit.cutaway->cutaway_shares({0, 0, 0}, shares);
+  hit.cutaway->cutaway_shares({0, 0, 0}, *hit.leaf, shares);
   ASSERT_EQ(shares.size(), 2u);
   EXPECT_EQ(shares[0].second, .5);
+}
+
+// A knife within what is cut: its own surface shows the solid that it cuts, all over. (POV-Ray's inside test of the surface is rounding, so that it
+// speckles with black, for spheres, boxes and cylinders alike.)
+TEST(Csg, CutawaySharesOfAnInnerKnife) {
+  const auto* texture = reinterpret_cast<const CompiledTexture*>(&kCube);  // only compared with null
+  const auto knives = [](int which) {
+    return which == 0 ? leaf(Sphere{{0, 0, -1}, .8}, 0, true) : leaf(Box{{-.6, -.5, -2}, {.7, .8, -.1}}, 0, true);
+  };
+  for (const int which : {0, 1}) {
+    auto ball = leaf(Sphere{dvec3(0), 1}, kRed);
+    const_cast<Leaf&>(static_cast<LeafSolid&>(*ball).leaf()).texture.texture = texture;
+    const auto csg = combine(CsgKind::kDifference, combine(CsgKind::kDifference, std::move(ball), knives(which)),
+                             leaf(Sphere{{0, 3, 0}, 1}, 0, true));
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-.45, .45);
+    for (int i = 0; i < 200; ++i) {
+      Hit hit;
+      ASSERT_TRUE(csg->nearest({{unit(random), unit(random), -5}, {0, 0, 1}}, kAhead, {}, hit));
+      ASSERT_EQ(hit.leaf->texture.texture, nullptr);
+      CsgSolid::CutawayShares shares;
+      hit.cutaway->cutaway_shares(hit.point, *hit.leaf, shares);
+      ASSERT_EQ(shares.size(), 1u) << "knife " << which << " ray " << i;
+      EXPECT_EQ(shares[0].second, 1);
+    }
+  }
 }
 
 // Many children are found through a tree; few are gone through. Both must agree with asking every child.

@@ -4,6 +4,7 @@
 //
 // An egg: a sphere of bottom_radius about the origin, one of top_radius about <0, bottom_radius, 0>, and a piece of a spindle torus
 // that joins them smoothly. Radii are not negative. With top_radius >= 2 bottom_radius it is the sphere at the top alone.
+// sturm is accepted and changes nothing: no root is lost without it.
 // Source: specification chapter 20 §5.15; uv from chapter 20 §3.
 #pragma once
 

@@ -53,7 +53,7 @@ class PolySurface final : public ScannedShape<PolySurface> {
     };
     if (order_ == 2) return emit(solve_quadratic(expand<2>(p, d).c, within));
     if (!curved_) return;
-    // The closed splits of cubics and quartics lose no root and invent none: `sturm` has nothing to add to them.
+    // The monotone stretches of cubics and quartics lose no root and invent none: `sturm` has nothing to add to them.
     if (order_ == 3) return emit(solve_cubic(expand<3>(p, d).c, within));
     if (order_ == 4) return emit(solve_quartic(expand<4>(p, d).c, within));
     const AlongRay<Poly::kMaxOrder> along = expand<Poly::kMaxOrder>(p, d);

@@ -3,12 +3,12 @@
 //   poly { 2, <1, 0, 0, 0, 1, 0, 0, 1, 0, -1> pigment { rgb 1 } }
 //
 // order: 2 to 35; numbers: (order+1)(order+2)(order+3)/6 coefficients of x^i y^j z^k, by descending i, then j, then k. All four
-// statements make one description. `sturm`: the certified solver also for orders 3 and 4.
+// statements make one description. sturm is accepted and changes nothing: no root is lost without it.
 //
 // The polynomial along the ray is expanded by Horner's rule about the point nearest to the origin of the shape's space and solved on
-// its monotone stretches (engine/math/polynomial.hpp), above order 4 by the certified solver (engine/math/certified_roots.hpp). Inside: value below 1e-4 in the shape's own space.
-// The surface has no bounds of its own.
-// Source: specification chapter 20 §5.8.
+// its monotone stretches (engine/math/polynomial.hpp), above order 4 by the certified solver (engine/math/certified_roots.hpp). Inside:
+// value below 1e-4 in the shape's own space. The surface has no bounds of its own.
+// Source: specification chapter 20 §5.8. The ray put into the polynomial: P. Hanrahan, Ray Tracing Algebraic Surfaces, 1983.
 #pragma once
 
 #include <cstddef>

@@ -8,6 +8,7 @@
 // Between two points the squared radius is a cubic of the height, with slopes from the neighbours; x² + z² = r²(y) is then a cubic
 // along the ray, set up about the ray's point nearest to the middle of the surface. Inside ignores `open`; the surface is inside.
 // uv: u turns about the axis, v runs along the profile (specification chapter 20 §3).
+// sturm is accepted and changes nothing: no root is lost without it.
 // Source: specification chapter 20 §5.11.
 #pragma once
 

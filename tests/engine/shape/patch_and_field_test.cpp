@@ -210,6 +210,28 @@ TEST(JuliaFractal, Hypercomplex) {
   EXPECT_JULIA(power, -0.896368, dvec3(0.957286, 0.106572, -0.268786));
 }
 
+// Squares are computed as those of two complex numbers; here by the product of chapter 21 §7.3, written out.
+TEST(JuliaFractal, InsideOfHypercomplexSquaresAgreesWithTheProductWrittenOut) {
+  const dvec4 c(-.1, .2, -.3, .1);
+  const auto shape = make(julia(c, Algebra::kHypercomplex, Function::kSqr, 6, 30));
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> unit(-1.5, 1.5);
+  int inside = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const dvec3 p(unit(random), unit(random), unit(random));
+    dvec4 z(p, 0);
+    bool stays = true;
+    for (int k = 0; k < 6 && stays; ++k) {
+      stays = glm::dot(z, z) <= 16;
+      z = dvec4(z.x * z.x - z.y * z.y - z.z * z.z + z.w * z.w, 2 * (z.x * z.y - z.z * z.w), 2 * (z.x * z.z - z.w * z.y),
+                2 * (z.x * z.w + z.y * z.z)) + c;
+    }
+    ASSERT_EQ(shape->inside(p), stays) << "point " << i;
+    inside += stays;
+  }
+  EXPECT_GT(inside, 100);
+}
+
 // Check case 11.
 TEST(JuliaFractal, Inside) {
   const auto shape = make(julia({-0.083, 0, -0.83, -0.025}, Algebra::kQuaternion, Function::kSqr, 8, 15));

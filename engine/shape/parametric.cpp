@@ -93,7 +93,8 @@ class ParametricSurface final : public ScannedShape<ParametricSurface> {
     Container::Passage passage;
     if (!p_.container.cross(local, passage) || passage.depths.hi < 0) return;
     const double accuracy = depth_accuracy(p_.accuracy, local);
-    const Interval depths{std::max(0.0, passage.depths.lo) + 4 * accuracy, passage.depths.hi};
+    // What is nearer is not seen, as in the reference: a length in the world, whatever the shape's own size.
+    const Interval depths{std::max(0.0, passage.depths.lo) + 4 * p_.accuracy, passage.depths.hi};
     if (depths.empty() || depths.lo > range.hi) return;
     double best = std::numeric_limits<double>::infinity();
     dvec2 best_uv(0);

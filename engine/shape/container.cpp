@@ -68,6 +68,11 @@ dvec3 Container::normal(std::uint32_t face, const dvec3& p) const {
   return n;
 }
 
-double depth_accuracy(double accuracy, const Ray& local) { return accuracy / std::max(1.0, glm::length(local.direction)); }
+double depth_accuracy(double accuracy, const Container& container, const Transform& to_world) {
+  constexpr double kSmall = 0.05;  // share of the container
+  const auto size = [](const Aabb& box) { return glm::length(box.hi - box.lo); };
+  const double world = size(to_world.box(container.box()));
+  return accuracy < kSmall * world ? accuracy : accuracy * world / size(container.box());
+}
 
 }  // namespace lute

@@ -34,8 +34,8 @@ struct Container {
   dvec3 normal(std::uint32_t face, const dvec3& p) const;  // outward
 };
 
-// The step along a ray that counts as short: no longer than the accuracy in world units, as the reference has it, nor in the shape's own, so
-// that a shape which was scaled down keeps its form. `local`: the ray in the shape's space, for a direction of length 1 in the world.
-double depth_accuracy(double accuracy, const Ray& local);
+// An accuracy that is a length along the ray in world units, as the reference has it. Where it is not small beside the container, as after
+// scaling a shape down to 1e-6, it counts in the shape's own units.
+double depth_accuracy(double accuracy, const Container& container, const Transform& to_world);
 
 }  // namespace lute

@@ -81,7 +81,7 @@ enum Part : std::uint32_t { kSurface, kFirstFace };
 class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
  public:
   ImplicitSurface(const Isosurface& iso, const Transform& to_world, BuildContext& context)
-      : iso_(iso), to_world_(to_world) {
+      : iso_(iso), accuracy_(depth_accuracy(iso.accuracy, iso.container, to_world)), to_world_(to_world) {
     const void* key = iso.function.get();
     auto known = std::static_pointer_cast<const SlopesOfFunction>(context.find_shared(key));
     if (!known) context.store_shared(key, known = std::make_shared<const SlopesOfFunction>());
@@ -93,7 +93,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
     const Ray local = to_world_.inverse_ray(ray);
     Container::Passage passage;
     if (!iso_.container.cross(local, passage) || passage.depths.hi < 0) return;
-    const double accuracy = depth_accuracy(iso_.accuracy, local);
+    const double accuracy = accuracy_;
     double begin = std::max(0.0, passage.depths.lo);
     const double end = passage.depths.hi;
     thread_local std::vector<SlopeTree::Piece> pieces;
@@ -102,7 +102,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
       slopes_->tree.along(local, {begin, end}, pieces);
       if (std::ranges::all_of(pieces, [&](const auto& p) { return p.value.lo > iso_.threshold; })) return;
     }
-    Search search(*this, local, accuracy, pieces, range.hi);
+    Search search(*this, local, pieces, range.hi);
     if constexpr (!depth_matters<Sink>()) {
       if (slopes_->tree.knows_function() && !iso_.evaluate) search.anywhere = range;
     }
@@ -167,7 +167,6 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
     const ImplicitSurface& surface;
     const Ray& ray;
     double length;  // of the direction
-    double accuracy;  // along the ray
     double gradient;
     double sign = 1;
     double steepest = 0;  // seen, by depth
@@ -175,9 +174,8 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
     Interval anywhere{0, -1};  // where any depth will do for a root; only if max_gradient is proven or not relied on
     std::vector<SlopeTree::Piece>& pieces;  // none: max_gradient is enough everywhere, or nothing else is known
 
-    Search(const ImplicitSurface& s, const Ray& r, double shortest, std::vector<SlopeTree::Piece>& of_ray, double far)
-        : surface(s), ray(r), length(glm::length(r.direction)), accuracy(shortest), gradient(s.iso_.max_gradient), farthest(far),
-          pieces(of_ray) {}
+    Search(const ImplicitSurface& s, const Ray& r, std::vector<SlopeTree::Piece>& of_ray, double far)
+        : surface(s), ray(r), length(glm::length(r.direction)), gradient(s.iso_.max_gradient), farthest(far), pieces(of_ray) {}
     Search(const Search&) = delete;
     Search& operator=(const Search&) = delete;
     ~Search() { surface.slopes_->note(steepest / length); }
@@ -269,7 +267,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
     bool bisect(double t1, double f1, double f2, double width, double m, Pieces p, double& root) {
       if (t1 > farthest) return false;
       // A depth whose grain is coarser than the accuracy, far away, cannot be divided any more.
-      if (width < accuracy || t1 + 0.5 * width == t1) {
+      if (width < surface.accuracy_ || t1 + 0.5 * width == t1) {
         if (!(f2 < 0)) return false;
         root = t1 + width;
         return true;
@@ -308,6 +306,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
   double value(const dvec3& p) const { return iso_.function->at(p) - iso_.threshold; }
 
   Isosurface iso_;
+  double accuracy_;  // along the ray
   Transform to_world_;
   std::shared_ptr<const SharedSlopes> slopes_;
   bool remarks_ = false;  // the first of its copies

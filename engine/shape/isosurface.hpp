@@ -3,8 +3,8 @@
 //
 //   isosurface { function { x*x + y*y + z*z - 0.25 } max_gradient 4 pigment { rgb 1 } }
 //
-// function: of x, y, z; where it is below the threshold (default 0) is inside. accuracy (0.001): length to which a root is bracketed,
-// in world units and in the shape's own. max_gradient (1.1): a bound of the function's slope; a smaller number makes holes, a larger
+// function: of x, y, z; where it is below the threshold (default 0) is inside. accuracy (0.001): length to which a root is bracketed
+// (see depth_accuracy, container.hpp). max_gradient (1.1): a bound of the function's slope; a smaller number makes holes, a larger
 // one takes longer. max_trace (1): how many surfaces a ray meets; all_intersections: 10. open: without the cuts of the container.
 // evaluate: raises max_gradient where steeper slopes are seen; every ray starts anew, so that the picture depends on nothing else.
 //

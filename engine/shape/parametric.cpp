@@ -85,16 +85,15 @@ class BoxTree {
 class ParametricSurface final : public ScannedShape<ParametricSurface> {
  public:
   ParametricSurface(const Parametric& parametric, const SharedTransform& to_world, std::shared_ptr<const BoxTree> tree)
-      : p_(parametric), to_world_(to_world), tree_(std::move(tree)) {}
+      : p_(parametric), depth_accuracy_(depth_accuracy(parametric.accuracy, parametric.container, to_world)), to_world_(to_world),
+        tree_(std::move(tree)) {}
 
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
     const Ray local = to_world_->inverse_ray(ray);
     Container::Passage passage;
     if (!p_.container.cross(local, passage) || passage.depths.hi < 0) return;
-    const double accuracy = depth_accuracy(p_.accuracy, local);
-    // What is nearer is not seen, as in the reference: a length in the world, whatever the shape's own size.
-    const Interval depths{std::max(0.0, passage.depths.lo) + 4 * p_.accuracy, passage.depths.hi};
+    const Interval depths{std::max(0.0, passage.depths.lo) + 4 * depth_accuracy_, passage.depths.hi};
     if (depths.empty() || depths.lo > range.hi) return;
     double best = std::numeric_limits<double>::infinity();
     dvec2 best_uv(0);
@@ -109,7 +108,7 @@ class ParametricSurface final : public ScannedShape<ParametricSurface> {
       if (!meets(local, box(here), depths, best, longest, candidate)) continue;
       const Rectangle& r = here.rectangle;
       const dvec2 side = r.hi - r.lo;
-      if (std::max(side.x, side.y) < p_.accuracy || longest < accuracy) {
+      if (std::max(side.x, side.y) < p_.accuracy || longest < depth_accuracy_) {
         if (depths.lo < candidate && candidate < best) {
           best = candidate;
           best_uv = r.lo;
@@ -208,6 +207,7 @@ class ParametricSurface final : public ScannedShape<ParametricSurface> {
   }
 
   Parametric p_;
+  double depth_accuracy_;
   SharedTransform to_world_;
   std::shared_ptr<const BoxTree> tree_;
 };

@@ -81,18 +81,6 @@ TEST(Isosurface, ContainerOfNegativeRadius) {
   EXPECT_NEAR(shape->bounds().hi.z, .9, 1e-15);
 }
 
-// The accuracy is a length in the world, as POV-Ray has it: at scale 100 the root is found to 0.001, not to 0.1. Where the shape is smaller
-// than it was written, it is as well a length in its own units, so that the form does not depend on the scale. True root: -0.4472136.
-TEST(Isosurface, AccuracyIsALengthInTheWorldAndInItsOwnUnits) {
-  const auto error = [](double scale) {
-    const auto traced = trace(*make(iso(ball, 4), Transform::scale(dvec3(scale))), scale * dvec3(.1, .2, -5), kZ);
-    return traced ? std::abs(traced->point.z / scale + std::sqrt(.2)) : 1;
-  };
-  EXPECT_LT(error(100), 1e-5);
-  EXPECT_LT(error(1), 1e-3);
-  for (const double scale : {.1, .05, .01, .001, 1e-4}) EXPECT_LT(error(scale), 1e-3) << "scale " << scale;
-}
-
 // x² + y² + z² - 0.25 as a program, whose slope is known: on the surface it is 1, at the corners of the container 2 √3.
 Isosurface known_ball(double max_gradient) {
   ExpressionBuilder e;

@@ -35,9 +35,9 @@ class Function {
     one_by_one(count, stride, arguments, results);
   }
 
-  // Bounds of the one result of a float function and of its slope, for arguments that run over ranges. False if this function has no
-  // such formula (noise, patterns, pigments).
-  virtual bool enclose(const Enclosure* arguments, Enclosure& result) const;
+  // Bounds of the results and of their slopes, for arguments that run over ranges: as many as evaluate() has. False if this function has
+  // no such formula (noise, patterns, pigments).
+  virtual bool enclose(const Enclosure* arguments, Enclosure* results) const;
 
   double at(const dvec3& p) const {  // of a float function of (x, y, z)
     const double arguments[3] = {p.x, p.y, p.z};

@@ -304,9 +304,9 @@ class Internal final : public Function {
  public:
   explicit Internal(const InternalFunction& entry) : Function(entry.parameters, 1), entry_(entry) {}
   void evaluate(const double* arguments, double* results) const override { results[0] = entry_.evaluate(arguments); }
-  bool enclose(const Enclosure* arguments, Enclosure& result) const override {
+  bool enclose(const Enclosure* arguments, Enclosure* results) const override {
     if (entry_.enclose == nullptr) return false;
-    result = entry_.enclose(arguments);
+    results[0] = entry_.enclose(arguments);
     return true;
   }
 

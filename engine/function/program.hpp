@@ -49,7 +49,7 @@ class Program final : public Function {
  public:
   void evaluate(const double* arguments, double* results) const override;
   void evaluate_many(std::size_t count, std::size_t stride, const double* arguments, double* results) const override;
-  bool enclose(const Enclosure* arguments, Enclosure& result) const override;
+  bool enclose(const Enclosure* arguments, Enclosure* results) const override;
 
   std::size_t instruction_count() const { return code_.size() - 1; }  // without the return
 

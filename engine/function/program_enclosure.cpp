@@ -7,7 +7,7 @@
 
 namespace lute {
 
-bool Function::enclose(const Enclosure*, Enclosure&) const { return false; }
+bool Function::enclose(const Enclosure*, Enclosure*) const { return false; }
 
 class Program::Enclosing {
  public:
@@ -33,9 +33,12 @@ class Program::Enclosing {
           r[i.target] = lute::enclose(BinaryOp::kAdd, lute::enclose(BinaryOp::kMultiply, r[i.a], r[i.b]), r[i.jump]);
           break;
         case Op::kMove: r[i.target] = r[i.a]; break;
-        case Op::kCall:
-          if (i.detail != 0 || !program_.callees_[i.b]->enclose(&r[i.a], r[i.target])) return false;
+        case Op::kCall: {
+          Enclosure out[5];  // no function has more results
+          if (!program_.callees_[i.b]->enclose(&r[i.a], out)) return false;
+          r[i.target] = out[i.detail];
           break;
+        }
         case Op::kJump: pc = i.jump; break;
         case Op::kEnterLoop:
         case Op::kLeaveLoop: break;
@@ -71,7 +74,7 @@ class Program::Enclosing {
   int steps_ = 0;
 };
 
-bool Program::enclose(const Enclosure* arguments, Enclosure& result) const {
+bool Program::enclose(const Enclosure* arguments, Enclosure* results) const {
   if (work() > Enclosing::kMostSteps) return false;  // its calls alone are more
   thread_local std::vector<std::vector<Enclosure>> spare;  // programs call programs
   std::vector<Enclosure> registers;
@@ -82,7 +85,7 @@ bool Program::enclose(const Enclosure* arguments, Enclosure& result) const {
   registers.resize(register_count_);
   std::copy_n(arguments, parameter_count(), registers.begin());
   std::copy(constants_.begin(), constants_.end(), registers.begin() + parameter_count());
-  const bool known = Enclosing(*this).run(0, registers, result);
+  const bool known = Enclosing(*this).run(0, registers, results[0]);
   spare.push_back(std::move(registers));
   return known;
 }

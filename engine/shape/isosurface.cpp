@@ -18,7 +18,7 @@ namespace lute {
 namespace {
 
 // Where max_gradient is not known to be enough, a part of a ray counts as empty only if interval arithmetic proves it: too small a
-// max_gradient makes no holes, it costs time. Functions without enclosure (noise, patterns, pigments, splines) have nothing but
+// max_gradient makes no holes, it costs time. Functions without enclosure (noise, patterns, pigments) have nothing but
 // max_gradient.
 
 // What copies of an isosurface share: what is proven of its function, and the steepest slope that rays have seen.
@@ -260,7 +260,7 @@ class ImplicitSurface final : public ScannedShape<ImplicitSurface> {
         const double d = ray.direction[axis], a = ray.origin[axis] + depths.lo * d, b = ray.origin[axis] + depths.hi * d;
         arguments[axis] = {std::min(a, b), std::max(a, b), d, d};
       }
-      return surface.iso_.function->enclose(arguments, result) ? result : Enclosure::unknown();
+      return surface.iso_.function->enclose(arguments, &result) ? result : Enclosure::unknown();
     }
 
     // f1 and f2 are the values at both ends; m bounds how much the function can change between them.

@@ -60,7 +60,7 @@ void SlopeTree::bound(Node& node, const dvec3& center, const dvec3& half) const 
       arguments[axis] = {center[axis] - reach[axis], center[axis] + reach[axis], slope, slope};
     }
     Enclosure result;
-    if (!function_->enclose(arguments, result)) return;
+    if (!function_->enclose(arguments, &result)) return;
     node.value = {result.lo, result.hi};
     node.slope[along] = {result.slope_lo, result.slope_hi};
   }

@@ -2,6 +2,7 @@
 // Source: specification chapters 10 §11 and 21 §11.
 #include <algorithm>
 
+#include "engine/function/enclosure.hpp"
 #include "engine/function/internal_function.hpp"
 #include "parser/expression/expression.hpp"
 #include "parser/expression/function_scope.hpp"
@@ -40,6 +41,12 @@ class TransformFunction final : public Function {
     results[1] = p.y;
     results[2] = p.z;
   }
+  bool enclose(const Enclosure* a, Enclosure* results) const override {
+    const dmat3& m = transform_.linear;
+    for (int k = 0; k < 3; ++k)
+      results[k] = m[0][k] * a[0] + m[1][k] * a[1] + m[2][k] * a[2] + transform_.translation[k];
+    return true;
+  }
 
  private:
   Transform transform_;
@@ -51,6 +58,10 @@ class SplineFunction final : public Function {
   void evaluate(const double* a, double* results) const override {
     const Spline::Point value = spline_->evaluate(a[0]);
     std::copy_n(value.begin(), result_count(), results);
+  }
+  bool enclose(const Enclosure* a, Enclosure* results) const override {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(result_count()); ++k) results[k] = spline_->enclose(a[0], k);
+    return true;
   }
 
  private:

@@ -9,6 +9,8 @@
 
 namespace lute {
 
+struct Enclosure;
+
 enum class SplineKind : std::uint8_t { kLinear, kQuadratic, kCubic, kNatural };
 
 class Spline {
@@ -24,12 +26,26 @@ class Spline {
 
   Point evaluate(double t) const { return evaluate(t, kind); }
   Point evaluate(double t, SplineKind kind_for_this_call) const;
+  // Bounds of one component and of its slope while t runs over a range (engine/function/enclosure.hpp).
+  Enclosure enclose(const Enclosure& t, std::size_t component) const;
 
  private:
-  Point linear(std::size_t segment, double t) const;
-  Point quadratic(std::size_t segment, double t) const;
+  // Component k between the points `segment` and `segment` + 1, for numbers and for ranges of numbers; m: second derivatives at the points.
+  template <class T>
+  T linear(std::size_t segment, const T& t, std::size_t k) const;
+  template <class T>
+  T quadratic(std::size_t segment, const T& t, std::size_t k) const;
+  template <class T>
+  T cubic(std::size_t segment, const T& t, std::size_t k) const;
+  template <class T>
+  T natural(std::size_t segment, const T& t, std::size_t k, const std::vector<double>& m) const;
+
   Point cubic(double t) const;
-  Point natural(std::size_t segment, double t) const;
+  std::size_t segment_of(double t) const;
+  struct Tridiagonal {
+    std::vector<double> u, w, m;
+  };
+  void find_second_derivatives(std::size_t k, Tridiagonal& system) const;  // into m
 
   std::vector<double> times_;
   std::vector<Point> values_;

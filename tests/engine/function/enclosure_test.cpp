@@ -94,7 +94,7 @@ TEST(Enclosure, HoldsForTheInternalFunctions) {
     const FunctionPtr function = internal_function(index, 2);
     const std::vector<Enclosure> points(static_cast<std::size_t>(function->parameter_count()), Enclosure(1));
     Enclosure range;
-    if (!function->enclose(points.data(), range)) continue;
+    if (!function->enclose(points.data(), &range)) continue;
     ++enclosed;
     for (int i = 0; i < 200 && !testing::Test::HasFailure(); ++i) {
       SCOPED_TRACE(testing::Message() << "function " << index << ", stretch " << i);
@@ -108,7 +108,7 @@ TEST(Enclosure, HoldsForTheInternalFunctions) {
       }
       std::vector<Enclosure> ranges;
       for (const Stretch& stretch : arguments) ranges.push_back(stretch.enclosure());
-      ASSERT_TRUE(function->enclose(ranges.data(), range));
+      ASSERT_TRUE(function->enclose(ranges.data(), &range));
       expect_encloses(range, length, [&](double s) {
         std::vector<double> values;
         for (const Stretch& stretch : arguments) values.push_back(stretch.at(s));
@@ -142,11 +142,11 @@ TEST(ProgramEnclosure, FollowsBothBranchesOfAConditionThatIsNotDecided) {
   const auto program = e.finish(e.select(x, e.binary(BinaryOp::kMultiply, x, e.constant(-1)), e.constant(5), x), 1);
   Enclosure result;
   const Enclosure across(-2, 3, 1, 1), positive(2, 3, 1, 1);
-  ASSERT_TRUE(program->enclose(&across, result));
+  ASSERT_TRUE(program->enclose(&across, &result));
   EXPECT_LE(result.lo, 0);
   EXPECT_GE(result.hi, 5);
   EXPECT_EQ(result.steepest(), std::numeric_limits<double>::infinity());
-  ASSERT_TRUE(program->enclose(&positive, result));
+  ASSERT_TRUE(program->enclose(&positive, &result));
   EXPECT_NEAR(result.lo, 2, 1e-12);
   EXPECT_NEAR(result.hi, 3, 1e-12);
   EXPECT_NEAR(result.steepest(), 1, 1e-12);
@@ -162,12 +162,12 @@ TEST(ProgramEnclosure, BoundsTheSlopeOfARootOfSquaresAcrossZero) {
   const auto less = e.finish(e.unary(UnaryOp::kSqrt, e.binary(BinaryOp::kSubtract, sum, e.constant(1))), 1);
   Enclosure result;
   const Enclosure across(-1, 2, 1, 1), beyond(0.44, 2, 1, 1);
-  ASSERT_TRUE(program->enclose(&across, result));
+  ASSERT_TRUE(program->enclose(&across, &result));
   EXPECT_NEAR(result.slope_lo, -std::sqrt(5.0), 1e-9);
   EXPECT_NEAR(result.slope_hi, std::sqrt(5.0), 1e-9);
   EXPECT_LE(result.lo, 0);
   // The root of 5 x² - 1 stands upright at x = 0.447.
-  ASSERT_TRUE(less->enclose(&beyond, result));
+  ASSERT_TRUE(less->enclose(&beyond, &result));
   EXPECT_EQ(result.steepest(), std::numeric_limits<double>::infinity());
 }
 
@@ -178,7 +178,7 @@ TEST(ProgramEnclosure, RunsLoops) {
   const auto program = e.finish(e.sum(i, e.constant(1), e.constant(4), e.binary(BinaryOp::kMultiply, i, e.parameter(0))), 1);
   Enclosure result;
   const Enclosure x(1, 2, 1, 1);
-  ASSERT_TRUE(program->enclose(&x, result));
+  ASSERT_TRUE(program->enclose(&x, &result));
   EXPECT_NEAR(result.lo, 10, 1e-9);
   EXPECT_NEAR(result.hi, 20, 1e-9);
   EXPECT_NEAR(result.slope_lo, 10, 1e-9);
@@ -194,7 +194,7 @@ TEST(ProgramEnclosure, SaysSoWhereNothingIsKnown) {
   const auto program = e.finish(e.call(std::make_shared<Unknown>(), std::vector{e.parameter(0)}), 1);
   Enclosure result;
   const Enclosure x(1, 2, 1, 1);
-  EXPECT_FALSE(program->enclose(&x, result));
+  EXPECT_FALSE(program->enclose(&x, &result));
 }
 
 }  // namespace

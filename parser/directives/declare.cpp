@@ -55,7 +55,7 @@ ParsedValue parse_value(Session& session, ValueUse use) {
   const Nesting nesting(session);
   Reader& reader = session.reader;
   const Item& next = reader.peek();
-  if (next.is(TokenKind::kIdentifier)) return parse_identifier_value(session, use);
+  if (next.is(TokenKind::kIdentifier) && !next.slot->holds<UserFilePtr>()) return parse_identifier_value(session, use);
   if (next.is(TokenKind::kName)) fail_unset(session, next, use);
   const Word word = next.word();
   switch (word) {
@@ -276,7 +276,8 @@ class BeingDeclared {
 
 DeclareTarget read_target(Session& session, const Item& name, bool local) {
   const bool undeclared = name.is(TokenKind::kName);
-  if (!undeclared && (!name.is(TokenKind::kIdentifier) || name.slot->holds<MacroPtr>())) {
+  const auto keeps_its_type = [](const Value& value) { return value.holds<MacroPtr>() || value.holds<UserFilePtr>(); };
+  if (!undeclared && (!name.is(TokenKind::kIdentifier) || keeps_its_type(*name.slot))) {
     session.fail_expected("undeclared identifier", name);
   }
   DeclareTarget target;

@@ -93,13 +93,13 @@ void run_version(Session& session) {
       session.possible_error("Semi-colon ';' expected at end of #version.", "missing-semicolon");
     }
   }
-  const double hundredths = std::floor(100 * version + 0.5);
+  const double hundredths = std::trunc(100 * version + 0.5);  // as in the reference: -1 is -0.99
   if (!(hundredths <= 370)) {
     char text[80];
     std::snprintf(text, sizeof text, "Your scene file requires POV-Ray version %.1f or later!", version > 3.8 ? version : 3.8);
     session.fail(text, "version");
   }
-  const int before = std::exchange(session.language.version, static_cast<int>(std::max(0.0, hundredths)));
+  const int before = std::exchange(session.language.version, static_cast<int>(std::max(-1e9, hundredths)));
   if ((before < kFirstVersionWithOperators) != (session.language.version < kFirstVersionWithOperators)) forget_compiled(session);
   if (!session.language.version_given && !first) session.language.version_first = false;
   session.language.version_given = true;

@@ -81,7 +81,8 @@ void run_for(Session& session) {
   Reader& reader = session.reader;
   open_paren(session);
   const Item name = stream.take_raw();
-  if (!name.is(TokenKind::kName) && !name.is(TokenKind::kIdentifier)) session.fail_expected("undeclared identifier", name);
+  const bool names_file = name.slot && name.slot->holds<UserFilePtr>();
+  if (names_file || (!name.is(TokenKind::kName) && !name.is(TokenKind::kIdentifier))) session.fail_expected("undeclared identifier", name);
   if (stream.peek_raw().is(TokenKind::kLeftSquare)) {
     session.fail("#for loop variable must not be an array element", "loop-variable");
   }

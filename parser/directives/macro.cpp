@@ -69,7 +69,8 @@ void call_macro(Session& session, const MacroPtr& macro, const Item& name) {
     const Nesting nesting(session);
     open_paren(session);
     for (std::size_t i = 0; i < macro->parameters.size(); ++i) {
-      if (session.reader.at(TokenKind::kRightParen) || session.reader.at(Word::kT)) {
+      // To the reference a file is no argument either: macros use its name.
+      if (session.reader.at(TokenKind::kRightParen) || session.reader.at(Word::kT) || session.reader.at_identifier<UserFilePtr>()) {
         session.fail_at("Expected " + std::to_string(macro->parameters.size()) + " parameters but only " + std::to_string(i) +
                             " found.",
                         "macro-arguments", session.reader.peek());

@@ -163,6 +163,8 @@ void run_read(Session& session) {
     if (file->cursor->kind == TokenKind::kEnd) at_end = true;
     if (at_end) continue;  // the variable keeps its value
     assign(session, *target, read_item(session, *file));
+    // A string without its closing quote is an item in front of the error.
+    if (file->cursor->kind == TokenKind::kError) fail_data(session, *file, ",");
     // Without a comma behind the item the next token is read and lost: that is how the reference looks for the comma.
     if (file->cursor->kind == TokenKind::kEnd) {
       at_end = true;

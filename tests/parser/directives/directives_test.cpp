@@ -223,6 +223,34 @@ TEST_F(UserFiles, ReadGoesToElementsThatHaveAValue) {
   EXPECT_EQ(error_of("#declare A=array[2]" + open + "#read(R,A[0])"), "Expected 'undeclared identifier', empty array found instead");
 }
 
+// The reference's binary.
+TEST_F(UserFiles, KeepTheirNameUntilTheyAreClosedOrUndefined) {
+  write("numbers", "7,8");
+  const std::string open = "#fopen R \"" + path("numbers") + "\" read ";
+  for (const char* again : {"#declare R=1;", "#declare R=\"a\"", "#macro M() #local R=1; #end M()", "#for (R,1,2) #end", "#macro R() #end"}) {
+    EXPECT_EQ(error_of(open + again), "Expected 'undeclared identifier', file identifier found instead") << again;
+  }
+  EXPECT_EQ(error_of(open + "#declare S=R;"), "Expected 'RValue to declare', file identifier found instead");
+  EXPECT_EQ(error_of(open + "#macro M(F) #read(F,A) #end M(R)"), "Expected 1 parameters but only 0 found.");
+  EXPECT_EQ(values(open + "#macro M() #read(R,A) #end M() P(A) #fclose R #declare R=2; P(R)"), "7.000000\n2.000000\n");
+  EXPECT_EQ(values(open + "#undef R #declare R=2; P(R)"), "2.000000\n");
+}
+
+// The reference's binary looks for the comma behind an item before it goes on, and finds what cannot be read.
+TEST_F(UserFiles, ReadRefusesAStringWithoutItsEnd) {
+  write("unclosed", "1,\"abc\n2,3");
+  const std::string open = "#fopen R \"" + path("unclosed") + "\" read ";
+  EXPECT_EQ(error_of(open + "#read(R,A,B)"), "No end quote for string.");
+  EXPECT_EQ(values(open + "#read(R,A) P(A)"), "1.000000\n");
+}
+
+// The reference's binary: hundredths are rounded as int(100 v + 0.5).
+TEST(Version, MayBeNegative) {
+  EXPECT_EQ(values("#version -1; #declare V=version; #version 3.7; P(V)"), "-0.990000\n");
+  EXPECT_EQ(values("#version -3.7; #declare V=version; #version 3.7; P(V)"), "-3.690000\n");
+  EXPECT_EQ(values("#version 0.5; #declare V=version; #version 3.7; P(V)"), "0.500000\n");
+}
+
 TEST_F(UserFiles, IncludePrefersTheNameWithItsExtension) {
   write("zz", "#debug \"bare\\n\"");
   write("zz.inc", "#debug \"inc\\n\"");

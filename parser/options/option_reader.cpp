@@ -261,13 +261,16 @@ class Reader {
     throw OptionError("unknown option '" + keyword + "'", suggestion(keyword, keywords, ""));
   }
 
+  static const OptionRow* find_keyword(const std::string& keyword) {
+    for (const OptionRow& row : option_table()) {
+      if (!row.keyword.empty() && equal_ignoring_case(row.keyword, keyword)) return &row;
+    }
+    return nullptr;
+  }
+
   void assign(const std::string& keyword, const std::string& text) {
-    const auto table = option_table();
-    const auto found = std::ranges::find_if(table, [&](const OptionRow& candidate) {
-      return !candidate.keyword.empty() && equal_ignoring_case(candidate.keyword, keyword);
-    });
-    if (found == table.end()) unknown_keyword(keyword);
-    const OptionRow* const row = &*found;
+    const OptionRow* const row = find_keyword(keyword);
+    if (row == nullptr) unknown_keyword(keyword);
     if (row->keyword == "Include_Ini") {
       include_ini(text);
       return;
@@ -328,8 +331,10 @@ class Reader {
         }
       }
     }
+    const OptionRow* const row = find_keyword(name);
     throw OptionError("cannot open the INI file '" + name + "'",
-                      "scene files end in .pov; other scenes are given as +Iname or --input name");
+                      row != nullptr ? "an option is written " + std::string(row->keyword) + "=VALUE"
+                                     : "scene files end in .pov; other scenes are given as +Iname or --input name");
   }
 
   void read_ini_text(const std::string& text, const std::string& path, const std::string& section) {

@@ -25,7 +25,7 @@ double from_face(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c)
 }
 
 // A wavy closed surface of 2 * 16 * 32 triangles.
-Mesh ball_mesh(bool smooth, bool solid) {
+Mesh ball_mesh(bool smooth, bool solid, bool textured = false) {
   constexpr std::uint32_t kRings = 16, kSides = 32;
   auto data = std::make_shared<MeshData>();
   const auto vertex = [&](std::uint32_t ring, std::uint32_t side) { return ring * kSides + side % kSides; };
@@ -54,11 +54,16 @@ Mesh ball_mesh(bool smooth, bool solid) {
     data->vertices[vertex(kRings, side)] = data->vertices[vertex(kRings, 0)];
   }
   if (smooth) data->normal_indices = data->faces;
+  if (textured) {
+    data->textures.resize(3);
+    for (std::uint32_t i = 0; i < data->faces.size(); ++i)
+      data->texture_indices.push_back(i % 4 == 0 ? MeshData::Indices{i % 3, MeshData::kNone, MeshData::kNone} : MeshData::Indices{0, 1, 2});
+  }
   return {data, solid ? dvec3(0.3, 0.2, 1) : dvec3(0), true};
 }
 
-ShapeCase mesh(std::string name, bool smooth, bool solid) {
-  const Mesh m = ball_mesh(smooth, solid);
+ShapeCase mesh(std::string name, bool smooth, bool solid, bool textured = false) {
+  const Mesh m = ball_mesh(smooth, solid, textured);
   ShapeCase c{std::move(name), maker(m)};
   c.parity = solid;
   c.own_normals = smooth;
@@ -157,6 +162,9 @@ void add_flat_shapes(std::vector<ShapeCase>& cases) {
   cases.push_back(mesh("mesh", false, false));
   cases.push_back(mesh("mesh_smooth", true, false));
   cases.push_back(mesh("mesh_inside_vector", false, true));
+  ShapeCase of_textures = mesh("mesh_textures", false, true, true);
+  of_textures.textured = true;
+  cases.push_back(of_textures);
   cases.push_back(bicubic("bicubic_patch", 3));
   cases.push_back(height_field("height_field", false, 0));
   cases.push_back(height_field("height_field_water", false, 0.4));

@@ -68,13 +68,16 @@ struct Placed {
 Transform turned() { return Transform::rotate({20, -35, 50}); }
 Transform squeezed() { return Transform::scale({1, 0.7, 1.3}).then(Transform::rotate({20, -35, 50})); }
 
+Transform sheared() { return Transform::matrix(dmat3(1, 0.2, -0.1, 0.4, 0.9, 0.3, -0.2, 0.1, 1.1), dvec3(0)).then(turned()); }
+
 class EveryShape : public testing::TestWithParam<ShapeCase> {
  protected:
   template <class Check>
   void at_every_scale(Check check) {
     for (const double scale : {1e-6, 1.0, 1e6})
-      for (const auto& turn : {turned(), squeezed()}) {
-        SCOPED_TRACE(testing::Message() << "scale " << scale << (turn.kinds & Transform::kScale ? ", squeezed" : ""));
+      for (const auto& turn : {turned(), squeezed(), sheared()}) {
+        const char* const how = turn.kinds & Transform::kMatrix ? ", sheared" : turn.kinds & Transform::kScale ? ", squeezed" : "";
+        SCOPED_TRACE(testing::Message() << "scale " << scale << how);
         const Placed placed(GetParam(), scale, turn);
         RandomRays rays(GetParam(), placed.to_world, 7);
         int met = 0;
@@ -186,9 +189,28 @@ TEST_P(EveryShape, TheThreeQueriesAgree) {
   });
 }
 
+// Whole: the shares of the textures at a point are not negative and add up to 1.
+TEST_P(EveryShape, TexturesShareAPointWhole) {
+  if (!GetParam().textured) GTEST_SKIP() << "the object's texture alone";
+  at_every_scale([](const Placed& placed, const Ray& ray, const ShapeHits& hits) {
+    std::vector<TextureWeight> weights;
+    for (const ShapeHit& hit : hits) {
+      weights.clear();
+      placed.shape->textures(hit, ray.at(hit.t), weights);
+      float sum = 0;
+      for (const TextureWeight& w : weights) {
+        EXPECT_GE(w.weight, -1e-6f);
+        sum += w.weight;
+      }
+      EXPECT_NEAR(sum, 1, 1e-5);
+    }
+  });
+}
+
 TEST_P(EveryShape, IsTheSameAtEveryScale) {
   const ShapeCase& c = GetParam();
-  for (const auto& turn : {turned(), squeezed()}) {
+  if (c.rounding_decides) GTEST_SKIP() << "its end is that of the ball around it";
+  for (const auto& turn : {turned(), squeezed(), sheared()}) {
     const Placed unit(c, 1, turn);
     for (const double scale : {1e-6, 1e6}) {
       SCOPED_TRACE(testing::Message() << "scale " << scale);

@@ -101,6 +101,13 @@ void add_formula_solids(std::vector<ShapeCase>& cases) {
   open_tube.distance = [](const dvec3& p) { return std::abs(std::hypot(p.x, p.z) - 0.4); };
   open_tube.parity = false;
   cases.push_back(open_tube);
+  ShapeCase open_cone{"cone_open", maker(Cone{{0, -0.7, 0}, {0, 0.8, 0}, 0.6, 0.2, true})};
+  open_cone.distance = [](const dvec3& p) {
+    const double slope = 0.4 / 1.5, radius = 0.6 - slope * (p.y + 0.7);
+    return std::abs(std::hypot(p.x, p.z) - radius) / std::sqrt(1 + slope * slope);
+  };
+  open_cone.parity = false;
+  cases.push_back(open_cone);
   cases.push_back(torus("torus", 0.7, 0.25, false));
   cases.push_back(torus("torus_thin", 0.9, 0.02, true));
   cases.push_back(torus("torus_spindle", 0.3, 0.6, false));
@@ -116,6 +123,8 @@ void add_formula_solids(std::vector<ShapeCase>& cases) {
                                     {{{6, 0, 0}, 3}, {{0, 6, 0}, 4}, {{0, 0, 6}, 3}, {{2, 3, 2}, -1}, {{1, 0, 1}, 0.3}, {{0, 0, 0}, -0.3}}, sturm));
     cases.push_back(polynomial_case("poly_order_16" + tail, 16, {{{16, 0, 0}, 1}, {{0, 16, 0}, 1}, {{0, 0, 16}, 1}, {{0, 0, 0}, -0.01}}, sturm));
   }
+  cases.push_back(polynomial_case("poly_order_35", 35,
+                                  {{{34, 0, 0}, 1}, {{0, 34, 0}, 1}, {{0, 0, 34}, 1}, {{12, 10, 12}, 0.4}, {{0, 0, 0}, -1e-3}}, false));
   cases.push_back(superellipsoid("superellipsoid_round", 0.8, 0.7));
   cases.push_back(superellipsoid("superellipsoid_box", 0.2, 0.25));
   cases.push_back(superellipsoid("superellipsoid_star", 2.4, 1.6));

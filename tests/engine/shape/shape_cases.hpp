@@ -29,6 +29,8 @@ struct ShapeCase {
   std::function<double(const dvec3&)> distance{};
 
   bool parity = true;          // hits lead in and out of what the inside test accepts
+  bool textured = false;       // its parts have textures
+  bool rounding_decides = false;  // whether a ray meets it, as where a fractal fills the ball that it is looked for in
   bool own_normals = false;    // normals that are not those of the surface that is hit, as of smooth triangles
 };
 

@@ -81,6 +81,11 @@ void add_swept_shapes(std::vector<ShapeCase>& cases) {
                                               {{-0.9, 0.9}, {-1, -0.8}, {0.2, -1.1}, {1.1, -0.6}, {0.8, 0.8}, {-0.9, 0.9}, {-1, -0.8}, {0.2, -1.1}}})});
   cases.push_back({"prism_bezier", maker(Prism{PlanarSpline::kBezier, false, -0.5, 0.6,
                                                {{-1, 0}, {-1, -0.9}, {0.8, -1}, {0.9, 0.1}, {0.9, 0.1}, {0.7, 1}, {-1, 1.1}, {-1, 0}}})});
+  // Outlines that overlap: where they do, even and odd alternate.
+  cases.push_back({"prism_overlapping", maker(Prism{PlanarSpline::kLinear, false, -0.5, 0.6,
+      {{-0.8, -0.7}, {0.4, -0.8}, {0.3, 0.5}, {-0.8, -0.7}, {-0.4, -0.4}, {0.9, -0.3}, {0, 0.9}, {-0.4, -0.4}, {0, -0.2}, {0.2, -0.2}, {0.1, 0.1}, {0, -0.2}}})});
+  cases.push_back({"prism_bezier_outlines", maker(Prism{PlanarSpline::kBezier, false, -0.5, 0.6,
+      {{-1, 0}, {-1, -0.9}, {0.8, -1}, {0.9, 0.1}, {0.9, 0.1}, {0.7, 1}, {-1, 1.1}, {-1, 0}, {-0.3, 0}, {-0.3, -0.5}, {0.4, -0.5}, {0.4, 0}, {0.4, 0}, {0.4, 0.5}, {-0.3, 0.5}, {-0.3, 0}}})});
   cases.push_back(ovus("ovus_slim", 0.7, 0.3));
   cases.push_back(ovus("ovus_stout", 0.5, 0.6));
   cases.push_back(sweep("sphere_sweep_linear", SphereSweep::Spline::kLinear));

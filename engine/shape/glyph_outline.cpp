@@ -26,6 +26,12 @@ struct FaceCloser {
 using Library = std::unique_ptr<std::remove_pointer_t<FT_Library>, LibraryCloser>;
 using Face = std::unique_ptr<std::remove_pointer_t<FT_Face>, FaceCloser>;
 
+Library open_library() {
+  FT_Library raw = nullptr;
+  if (FT_Init_FreeType(&raw) != 0) throw std::runtime_error("Cannot read TrueType font file.");
+  return Library(raw);
+}
+
 Face open_face(FT_Library library, std::string_view font) {
   FT_Face face = nullptr;
   const auto* bytes = reinterpret_cast<const FT_Byte*>(font.data());
@@ -138,10 +144,10 @@ void trace_outline(FT_Outline& outline, Tracer& tracer) {
 
 }  // namespace
 
+void check_font(std::string_view font) { open_face(open_library().get(), font); }
+
 std::vector<GlyphOutline> lay_out_text(std::string_view font, std::u16string_view text, const dvec2& offset, bool unicode_first) {
-  FT_Library raw = nullptr;
-  if (FT_Init_FreeType(&raw) != 0) throw std::runtime_error("Cannot read TrueType font file.");
-  const Library library(raw);
+  const Library library = open_library();
   const Face face = open_face(library.get(), font);
   if (FT_CharMap map = choose_charmap(face.get(), unicode_first)) FT_Set_Charmap(face.get(), map);
   const double scale = 1.0 / face->units_per_EM;

@@ -23,8 +23,11 @@ struct GlyphOutline {
   dvec2 lo{0}, hi{0};  // their box; meaningless without pieces
 };
 
-// Glyphs side by side, in units of the font's em, the baseline at y = 0. Throws std::runtime_error ("Cannot read TrueType font
-// file.") if `font` is none. `offset` is added after each character; `unicode_first`: which character table is preferred.
+// Throws std::runtime_error ("Cannot read TrueType font file.") if `font` is none.
+void check_font(std::string_view font);
+
+// Glyphs side by side, in units of the font's em, the baseline at y = 0. Throws as check_font does. `offset` is added after each
+// character; `unicode_first`: which character table is preferred.
 std::vector<GlyphOutline> lay_out_text(std::string_view font, std::u16string_view text, const dvec2& offset, bool unicode_first);
 
 }  // namespace lute

@@ -2,7 +2,10 @@
 
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
+#include <utility>
 
+#include "engine/shape/glyph_outline.hpp"
 #include "parser/session.hpp"
 #include "parser/statement/state.hpp"
 
@@ -31,22 +34,28 @@ struct FontName {
 };
 
 // POV-Ray opens the font when it has read what follows, and tells that place; the note tells where the name stands.
-[[noreturn]] void fail_missing_font(Reader& reader, const FontName& name) {
+[[noreturn]] void fail_font(Reader& reader, const FontName& name, std::string_view code, const std::string& message) {
   Session& session = reader.session();
   const Item& next = reader.peek();
-  Diagnostic d = session.diagnose(Severity::kError, "missing-file", "Cannot open font file.", next.file, next.source);
+  Diagnostic d = session.diagnose(Severity::kError, std::string(code), message, next.file, next.source);
   d.chain.insert(d.chain.begin(), {"'" + name.text + "' is named at", session.files[name.where.file]->name, name.where});
   session.report_fatal(std::move(d));
 }
 
 std::shared_ptr<const std::string> load_font(Reader& reader, const FontName& name) {
   const auto path = reader.find_file(name.text, {".ttf", ".TTF"});
-  if (!path) fail_missing_font(reader, name);
+  if (!path) fail_font(reader, name, "missing-file", "Cannot open font file.");
   std::shared_ptr<const std::string>& font = statements_of(reader).fonts[*path];
   if (font == nullptr) {
     std::ifstream file(*path, std::ios::binary);
-    if (!file) fail_missing_font(reader, name);
-    font = std::make_shared<const std::string>(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    if (!file) fail_font(reader, name, "missing-file", "Cannot open font file.");
+    auto read = std::make_shared<const std::string>(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    try {
+      check_font(*read);
+    } catch (const std::runtime_error& error) {
+      fail_font(reader, name, "bad-file", error.what());
+    }
+    font = std::move(read);
   }
   return font;
 }

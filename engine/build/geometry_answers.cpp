@@ -51,13 +51,6 @@ bool GeometryAnswers::inside(const ObjectPtr& object, const dvec3& point) {
   return std::ranges::any_of(solids, [&](const auto& s) { return s->may_contain(point) && s->inside(point); });
 }
 
-bool GeometryAnswers::is_patch(const ObjectPtr& object) {
-  if (object->shape() == nullptr) return false;
-  std::vector<const Leaf*> leaves;
-  for (const auto& solid : built(object).scene.solids) solid->leaves(leaves);
-  return !leaves.empty() && leaves.front()->shape->is_patch();
-}
-
 namespace {
 
 Aabb tight_box(const Object& object) {

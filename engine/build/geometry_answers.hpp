@@ -17,7 +17,6 @@ class GeometryAnswers final : public GeometryQuery {
 
   std::optional<SurfacePoint> trace(const ObjectPtr& object, const dvec3& origin, const dvec3& direction) override;
   bool inside(const ObjectPtr& object, const dvec3& point) override;
-  bool is_patch(const ObjectPtr& object) override;
   Aabb extent(const ObjectPtr& object) override;
   std::optional<dvec2> image_size(const PigmentPtr& pigment) override;
 

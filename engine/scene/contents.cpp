@@ -1,6 +1,8 @@
 #include "engine/scene/contents.hpp"
 
 #include <algorithm>
+#include <string_view>
+#include <type_traits>
 
 #include "engine/function/function.hpp"
 #include "engine/scene/media.hpp"
@@ -22,7 +24,17 @@ void join(Contents& whole, const Contents& part) {
   deepen(whole.depth, part.depth);
   whole.leaves += part.leaves;
   whole.textured = whole.textured || part.textured;
+  whole.patches = whole.patches || part.patches;
   whole.media_densities = whole.media_densities || part.media_densities;
+}
+
+bool is_patch(const AnyShape& shape) {
+  return shape.visit([](const auto& s) {
+    if constexpr (requires { s.inside_vector; }) return s.inside_vector == dvec3(0);
+    constexpr std::string_view keyword = std::decay_t<decltype(s)>::kKeyword;
+    return keyword == "triangle" || keyword == "smooth_triangle" || keyword == "bicubic_patch" || keyword == "polygon" ||
+           keyword == "parametric";
+  });
 }
 
 // Functions and textures that belong to the shape itself.
@@ -117,6 +129,7 @@ Contents contents_of(const Object& object) {
     if (const AnyShape* shape = object.shape()) contents.depth = depth_of(*shape);
     else add_light(contents, *object.light());
   }
+  contents.patches = is_patch(object);
   if (object.texture.texture != nullptr) {
     contents.textured = true;
     deepen(contents.depth, object.texture.texture->depth);
@@ -130,6 +143,12 @@ Contents contents_of(const Object& object) {
   }
   ++contents.depth;
   return contents;
+}
+
+bool is_patch(const Object& object) {
+  if (const Csg* csg = object.csg()) return csg->operation != CsgOperation::kLightGroup && csg->contents.patches;
+  const AnyShape* shape = object.shape();
+  return shape == nullptr || is_patch(*shape);
 }
 
 }  // namespace lute

@@ -22,7 +22,6 @@ class GeometryQuery {
   virtual std::optional<SurfacePoint> trace(const ObjectPtr& object, const dvec3& origin, const dvec3& direction) = 0;
 
   virtual bool inside(const ObjectPtr& object, const dvec3& point) = 0;
-  virtual bool is_patch(const ObjectPtr& object) = 0;  // has no inside
 
   // The box as used for bounding, in single precision; unbounded directions are +-1e10.
   virtual Aabb extent(const ObjectPtr& object) = 0;

@@ -28,6 +28,7 @@ struct Contents {
   std::uint32_t depth = 0;       // of objects, textures and functions inside each other
   double leaves = 0;             // shapes and lights, as often as they are met
   bool textured = false;
+  bool patches = false;          // something without an inside, which leaves the whole without one; lights count
   bool media_densities = false;  // in an interior
 };
 

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 
+#include "engine/scene/contents.hpp"
 #include "parser/directives/directive.hpp"
 #include "parser/expression/recorder.hpp"
 #include "parser/value/array.hpp"
@@ -35,7 +36,7 @@ ObjectPtr object_argument(Session& session) {
 double inside(Session& session) {
   const ObjectPtr object = object_argument(session);
   const dvec3 point = vector_argument(session);
-  if (geometry(session).is_patch(object)) session.fail("Solid object identifier expected.", "object-expected");
+  if (is_patch(*object)) session.fail("Solid object identifier expected.", "object-expected");
   return geometry(session).inside(object, point) ? 1 : 0;
 }
 

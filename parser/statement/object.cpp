@@ -53,7 +53,7 @@ std::vector<ObjectPtr> parse_members(Reader& reader, CsgOperation operation) {
   while (const auto member = accept_object(reader)) {
     ++count;
     const bool solid_only = operation == CsgOperation::kIntersection || operation == CsgOperation::kDifference;
-    if (solid_only && (is_patch(**member) || is_light(**member)))
+    if (solid_only && is_patch(**member))
       reader.warning("Patch objects not allowed in intersection.");
     if (!is_absent(**member)) members.push_back(*member);
     else if (count == 1 && operation == CsgOperation::kDifference) base_absent = true;

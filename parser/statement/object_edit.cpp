@@ -85,17 +85,6 @@ ObjectPtr transformed(const ObjectPtr& object, const Transform& transform) {
   return std::make_shared<const Object>(std::move(changed));
 }
 
-bool is_patch(const Object& object) {
-  if (object.shape() == nullptr) return false;
-  return object.shape()->visit(
-      [](const auto& s) {
-        if constexpr (requires { s.inside_vector; }) return s.inside_vector == dvec3(0);
-        constexpr std::string_view keyword = std::decay_t<decltype(s)>::kKeyword;
-        return keyword == "triangle" || keyword == "smooth_triangle" || keyword == "bicubic_patch" || keyword == "polygon" ||
-               keyword == "parametric";
-      });
-}
-
 bool is_light(const Object& object) { return object.light() != nullptr; }
 
 bool carries_texture(const Object& object) {

@@ -11,7 +11,6 @@ namespace lute {
 void transform_object(Object& object, const Transform& transform);
 ObjectPtr transformed(const ObjectPtr& object, const Transform& transform);
 
-bool is_patch(const Object& object);      // has no inside
 bool is_light(const Object& object);
 bool carries_texture(const Object& object);  // or one of its parts does
 

@@ -183,7 +183,6 @@ TEST(GeometryAnswers, TraceInsideAndExtent) {  // chapter 10 §8.3
   EXPECT_FALSE(answers.inside(b, {0, 1.1, 0}));
   EXPECT_NEAR(answers.extent(b).hi.x, 1, 1e-6);
   EXPECT_EQ(answers.extent(object(plane({0, 1, 0}, 0))).lo.x, -1e10);
-  EXPECT_FALSE(answers.is_patch(b));
 }
 
 }  // namespace

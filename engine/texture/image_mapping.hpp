@@ -57,11 +57,9 @@ auto interpolate_pixels(const ImageMapping& mapping, const dvec2& position, cons
   Value sum{};
   if (mapping.interpolate == 3) {
     const auto wx = bicubic_weights(p), wy = bicubic_weights(q);
-    for (int b = 0; b < 4; ++b) {
-      Value row{};
-      for (int a = 0; a < 4; ++a) row += at(i - 2 + a, j - 2 + b) * static_cast<Weight>(wx[static_cast<std::size_t>(a)]);
-      sum += row * static_cast<Weight>(wy[static_cast<std::size_t>(b)]);
-    }
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b)
+        sum += at(i - 2 + a, j - 2 + b) * static_cast<Weight>(wx[static_cast<std::size_t>(a)] * wy[static_cast<std::size_t>(b)]);
     return sum;
   }
   std::array<double, 4> w{p * q, (1 - p) * q, p * (1 - q), (1 - p) * (1 - q)};

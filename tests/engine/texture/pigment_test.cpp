@@ -185,6 +185,60 @@ TEST(MaterialMap, InterpolatesIndices) {  // §11.6
   EXPECT_EQ(value_at(body_of(map), {0.7499, 0.5, 0}), 0);  // 2 mod 1
 }
 
+// All pixels of a picture of 4 by 4 have the index 100; the weights add up to 1 but for their rounding, and the mean is truncated. Positions of
+// 40 by 40 pixels of a picture and what POV-Ray 3.7.0.10 takes there; it does so at all 1600 of them with each interpolation.
+TEST(MaterialMap, WeighsLikeTheReferenceToTheLastBit) {
+  MaterialMap map;
+  map.mapping.image = std::make_shared<Image>(4, 4, std::vector<std::uint8_t>(16, 100), std::vector<Image::Pixel>(256));
+  struct Case {
+    int interpolate;
+    dvec2 position;
+    int index;
+  };
+  const Case cases[] = {{2, {0.65000000010000003, 0.54999999989999981}, 100},
+                        {2, {1.1500000001000001, 0.54999999989999981}, 100},
+                        {2, {1.6500000001000001, 0.54999999989999981}, 100},
+                        {2, {3.1500000001000004, 2.6499999998999999}, 99},
+                        {2, {2.1500000000999999, 3.3499999999000001}, 99},
+                        {3, {0.65000000010000003, 0.54999999989999981}, 100},
+                        {3, {1.1500000001000001, 0.54999999989999981}, 100},
+                        {3, {1.6500000001000001, 0.54999999989999981}, 100},
+                        {3, {2.1500000000999999, 0.54999999989999981}, 99},
+                        {3, {2.1500000000999999, 1.2499999999}, 99},
+                        {3, {3.1500000001000004, 1.2499999999}, 99},
+                        {4, {0.65000000010000003, 0.54999999989999981}, 100},
+                        {4, {1.1500000001000001, 0.54999999989999981}, 100},
+                        {4, {1.6500000001000001, 0.54999999989999981}, 100},
+                        {4, {2.1500000000999999, 0.54999999989999981}, 99},
+                        {4, {3.1500000001000004, 0.54999999989999981}, 99},
+                        {4, {1.6500000001000001, 1.2499999999}, 99}};
+  for (const Case& c : cases) {
+    map.mapping.interpolate = c.interpolate;
+    const double mean = interpolate_pixels(map.mapping, c.position, [](int, int) { return 100.0; });
+    EXPECT_EQ(static_cast<int>(mean), c.index) << c.interpolate << ' ' << c.position.x << ' ' << c.position.y;
+  }
+}
+
+// Without a palette the number is that of red, which is 100 here; with an index of its own, -1, weighed beside it, it is 0 where the weights add up
+// to less than 1: so POV-Ray 3.7.0.10 has it, too.
+TEST(MaterialMap, ColorsWithoutPaletteCountByRed) {
+  std::vector<float> codes(256);
+  for (std::size_t i = 0; i < 256; ++i) codes[i] = static_cast<float>(i) / 255.0f;
+  MaterialMap map;
+  map.mapping.image = std::make_shared<Image>(4, 4, 3, std::vector<std::uint8_t>(48, 100), codes);
+  map.texture_count = 256;
+  EXPECT_EQ(value_at(body_of(map), {0.3, 0.6, 0}), 100);
+  map.mapping.interpolate = 3;
+  int without = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double number = value_at(body_of(map), {0.00731 * i, 0.00377 * i, 0});
+    EXPECT_TRUE(number == 0 || number == 100) << number;
+    without += number == 0 ? 1 : 0;
+  }
+  EXPECT_GT(without, 20);  // 685 of 1600 in the reference
+  EXPECT_LT(without, 70);
+}
+
 TEST(DensityFile, InterpolatesLikeTheReference) {  // C15
   std::string error;
   const auto volume = DensityVolume::parse({0, 3, 0, 1, 0, 1, 0, 255, 51}, error);

@@ -16,14 +16,18 @@ dvec3 carry_in(const TextureSpace* space, dvec3 normal, bool within) {
   return space->pattern->carry_in(carry_in(space->outer, normal, space->bump_scale), space->bump_scale);
 }
 
+// As the reference does, an outermost pattern without bump scale leaves the normal as long as it has become: the surface is lit by it so.
 dvec3 carry_out(const TextureSpace* space, dvec3 normal) {
+  bool unit = true;
   for (; space != nullptr; space = space->outer) {
-    if (space->pattern != nullptr)
+    if (space->pattern != nullptr) {
       normal = space->pattern->carry_out(normal, space->bump_scale);
-    else
+      unit = space->bump_scale;
+    } else {
       normal = glm::transpose(space->to_world->inverse_linear) * normal;
+    }
   }
-  return normal;
+  return unit ? glm::normalize(normal) : normal;
 }
 
 }  // namespace
@@ -98,12 +102,13 @@ Color Shader::texture_color(Surface& surface, const CompiledTexture& texture, co
   return previous * static_cast<float>(1 - n.t) + current * static_cast<float>(n.t);
 }
 
-// The normal that a layer's pattern makes of the raw one. Patterns that ask for the surface's normal see it from then on.
+// The normal that a layer's pattern makes of the raw one. Patterns that ask for the surface's normal see it from then on, in the space of the
+// enclosing texture and as long as it has become.
 dvec3 Shader::perturbed(const CompiledNormal& normal, const dvec3& point, const TextureSpace* space, SurfaceContext& context) {
-  const dvec3 carried = carry_in(space, context.raw_normal, normal.bump_scale());
-  const dvec3 bumped = normal.perturb(carried, point, context);
-  context.normal = space == nullptr ? bumped : glm::normalize(carry_out(space, bumped));
-  return context.normal;
+  const dvec3 bent = normal.bend(carry_in(space, context.raw_normal, normal.bump_scale()), point, context);
+  context.normal = bent;
+  const dvec3 unit = normal.bump_scale() ? bent : glm::normalize(bent);
+  return space == nullptr ? unit : carry_out(space, unit);
 }
 
 }  // namespace lute

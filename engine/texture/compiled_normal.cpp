@@ -48,7 +48,9 @@ dvec3 CompiledNormal::bend(const dvec3& normal, const dvec3& point, const Surfac
     n = pattern_->perturb(n, amount_, warped, surface);
   else if (pattern_->pattern() != nullptr)
     n = by_slope(n, warped, surface);
-  return pattern_->carry_out(n, bump_scale_);
+  n = pattern_->carry_out(n, bump_scale_);
+  // A map gives a unit also inside of another map; an average and a single pattern keep the length that they have without bump scale.
+  return normals_.empty() || pattern_->is_average() || bump_scale_ ? n : glm::normalize(n);
 }
 
 dvec3 CompiledNormal::by_slope(dvec3 normal, const dvec3& warped, const SurfaceContext& surface) const {

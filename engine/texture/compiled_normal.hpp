@@ -18,6 +18,9 @@ class CompiledNormal {
   // The perturbed normal, unit, in the space of `point`. It is not turned toward the ray.
   dvec3 perturb(const dvec3& normal, const dvec3& point, const SurfaceContext& surface) const;
 
+  // The same, of any length without bump scale: so are normals of a map blended, and seen by patterns.
+  dvec3 bend(const dvec3& normal, const dvec3& point, const SurfaceContext& surface) const;
+
   // False: no_bump_scale, here or on the texture.
   bool bump_scale() const { return bump_scale_; }
 
@@ -27,8 +30,6 @@ class CompiledNormal {
     const CompiledNormal* normal;
   };
 
-  // The same, of any length without bump scale: normals of a map are blended so.
-  dvec3 bend(const dvec3& normal, const dvec3& point, const SurfaceContext& surface) const;
   dvec3 by_slope(dvec3 normal, const dvec3& warped, const SurfaceContext& surface) const;
   dvec3 by_map(const dvec3& normal, const dvec3& warped, const SurfaceContext& surface) const;
 

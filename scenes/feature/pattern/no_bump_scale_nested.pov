@@ -36,3 +36,17 @@ object { Ball(0, 0, texture { gradient y texture_map { [0.5 Fine] } no_bump_scal
 object { Ball(0, 0, texture { pigment { White } normal { wrinkles 2 no_bump_scale scale 0.5 } }) scale 0.8 rotate 20*z translate <5, 2.2, 0> }
 object { Ball(0, 0, Inner) scale <0.8, 0.6, 0.9> rotate 20*z translate <6.4, 0.2, 0> }
 object { Ball(0, 0, texture { checker texture { Kept } texture { Fine } }) scale <0.8, 0.6, 0.9> rotate 20*z translate <6.4, 2.0, 0> }
+// What has a pattern is lit by the length that the normal has without bump scale.
+Ball(7, 0, texture { gradient x texture_map { [0 pigment { White } normal { bumps 1 } finish { phong 0.1 }] } no_bump_scale scale 1.5 })
+Ball(7, 1, texture { checker texture { Scaled } texture { Plain } no_bump_scale scale <0.6, 0.8, 0.7> })
+// Maps within maps are blended as units, averages by their length.
+#declare Map = normal { gradient y normal_map { [0 bumps 1] [1 dents 2] } scale <1, 2, 3> };
+#declare Mean = normal { average normal_map { [1 bumps 1] [1 dents 2] } scale <1, 2, 3> };
+Ball(7, 2, texture { pigment { White } normal { gradient x normal_map { [0 Map] [0.5 bumps 1] [1 Mean] } no_bump_scale scale 0.4 } })
+// slope and aoi see the normal in the space of the enclosing texture, as long as it has become.
+#macro Seen(Row, Column, Texture) sphere { 0, 0.2 texture { Texture } translate <Column*0.4 + 5.4, Row*0.4 + 1.75, -1> } #end
+#declare Lit = finish { ambient 0.8 diffuse 0.2 };
+Seen(0, 0, texture { gradient x texture_map { [0 pigment { aoi } normal { bumps 0.2 } finish { Lit }] } scale <1, 2, 3> })
+Seen(0, 1, texture { gradient x texture_map { [0 pigment { slope y } normal { bumps 0.2 } finish { Lit }] } scale <1, 2, 3> })
+Seen(1, 0, texture { gradient x texture_map { [0 pigment { slope <1, 2, -1> } normal { bumps 0.2 } finish { Lit }] } no_bump_scale scale <1, 2, 3> })
+Seen(1, 1, texture { pigment { slope y } normal { bumps 0.2 no_bump_scale scale <1, 2, 3> } finish { Lit } })

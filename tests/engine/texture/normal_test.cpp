@@ -125,6 +125,20 @@ TEST(Normal, NormalMapBlendsNormalsWithoutBumpScaleByTheirLength) {
   expect_picture(normal, {{{.67570, .59077, .17934, .86343}, {.90294, .76178, .76800, .40351}, {.50694, .35813, .80743, .68319}}});
 }
 
+// gradient x normal_map { [0 gradient y normal_map { [0 bumps 1] [1 dents 2] } scale <1, 2, 3>] [1 bumps 1] } no_bump_scale scale 5
+// translate -2.37*x, measured with POV-Ray 3.7.0.10: a map gives a unit also inside of another map, after its own transformation.
+TEST(Normal, MapsInsideOfMapsAreBlendedAsUnits) {
+  Normal inner, outer;
+  inner.body = body_of(gradient({0, 1, 0}));
+  inner.map = NormalMap{{{0, std::make_shared<Normal>(normal_of(Bumps(), 1))}, {1, std::make_shared<Normal>(normal_of(Dents(), 2))}}};
+  inner = moved(inner, Transform::scale({1, 2, 3}));
+  outer.body = body_of(gradient({1, 0, 0}));
+  outer.map = NormalMap{{{0, std::make_shared<Normal>(inner)}, {1, std::make_shared<Normal>(normal_of(Bumps(), 1))}}};
+  outer.no_bump_scale = true;
+  outer = moved(moved(outer, Transform::scale(dvec3(5))), Transform::translate({-2.37, 0, 0}));
+  expect_picture(outer, {{{.97527, .98151, .97815, .97588}, {.97856, .98570, .98077, .97646}, {.99202, .99554, .98680, .98181}}});
+}
+
 TEST(Normal, FacetsOfMetricOneTakeTheSumWithoutMagnitudes) {  // facets coords 0.5 size 0.25 metric 1, measured with the reference
   Facets facets;
   facets.coords = 0.5f;

@@ -124,13 +124,18 @@ TextureMapPtr parse_texture_map(Reader& reader, bool average) {
   });
 }
 
+void refuse_map(Reader& reader, Word map) {
+  if (map == Word::kColorMap) reader.error("Cannot use color_map with this pattern type.");
+  const char* type = map == Word::kPigmentMap ? "pigment" : map == Word::kDensityMap ? "density" : map == Word::kTextureMap ? "pattern" : "normal";
+  reader.error("Keyword '" + std::string(spelling(map)) + "' cannot be used with this " + type + " type.");
+}
+
 void require_map_allowed(Reader& reader, const PatternBody& body, Word map) {
   const std::string_view keyword = pattern_keyword(body);
   const bool colors = map == Word::kColorMap || map == Word::kSlopeMap;
   const bool refused = list_length(body) > 0 || keyword == "image_map" || keyword == "bump_map" ||
-                       (colors && std::holds_alternative<Average>(body.pattern));
-  if (keyword == "facets" && map == Word::kNormalMap) reader.error("Keyword 'normal_map' cannot be used with this normal type.");
-  if (refused) reader.error("Cannot use " + std::string(spelling(map)) + " with this pattern type.");
+                       (colors && std::holds_alternative<Average>(body.pattern)) || (keyword == "facets" && map == Word::kNormalMap);
+  if (refused) refuse_map(reader, map);
 }
 
 }  // namespace lute

@@ -17,7 +17,9 @@ PigmentMapPtr parse_density_map(Reader& reader, bool average);
 NormalMapPtr parse_normal_map(Reader& reader, bool average);
 TextureMapPtr parse_texture_map(Reader& reader, bool average);
 
-// Stops with the reference's message where a pattern does not take a map.
+// Stops with the reference's message for a pattern that does not take a map.
+[[noreturn]] void refuse_map(Reader& reader, Word map);
+// Does so where it does not.
 void require_map_allowed(Reader& reader, const PatternBody& body, Word map);
 
 }  // namespace lute

@@ -78,7 +78,7 @@ bool accept_pigment_pattern(Reader& reader, Pigment& pigment, BodyKind kind) {
 }
 
 void require_pigment_map_allowed(Reader& reader, const Pigment& pigment, Word map) {
-  if (is_plain_color(pigment)) reader.error("Cannot use " + std::string(spelling(map)) + " with this pattern type.");
+  if (is_plain_color(pigment)) refuse_map(reader, map);
   require_map_allowed(reader, pigment.body, map);
 }
 

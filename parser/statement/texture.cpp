@@ -73,7 +73,6 @@ void parse_texture_list(Reader& reader, PatternedTexture& patterned) {
     map.entries.push_back({position, parse_texture(reader)});
     reader.comma();
   }
-  if (map.entries.empty()) reader.error("Patterned texture must have texture_map.");
   while (map.entries.size() < length)
     map.entries.push_back({static_cast<float>(map.entries.size()), statements_of(reader).default_texture()});
   patterned.map = std::move(map);
@@ -99,7 +98,8 @@ bool accept_patterned(Reader& reader, Texture& texture) {
     }
   }
   require_complete_pattern(reader, patterned.body);
-  if (patterned.map.entries.empty()) reader.error("Patterned texture must have texture_map.");
+  const bool average = std::holds_alternative<Average>(patterned.body.pattern);
+  if (patterned.map.entries.empty()) reader.error(average ? "Average must have map." : "Patterned texture must have texture_map.");
   texture.content = std::move(patterned);
   return true;
 }

@@ -134,6 +134,40 @@ TEST(Textures, PatternedTexturesNeedAMap) {
   EXPECT_EQ(rejection_of(kVersion + "#default { texture { checker texture { } } }"), "Default texture cannot be material map or tiles.");
 }
 
+// As POV-Ray 3.7.0.10 has it; its texture_map errors come without a place.
+TEST(Textures, AverageIsMissingItsMapByAnotherName) {
+  for (const char* content : {"average", "average scale 2", "average pigment { rgb 1 }"})
+    EXPECT_EQ(rejection_of(kVersion + "sphere { 0, 1 texture { " + content + " } }"), "Average must have map.") << content;
+}
+
+// Measured with POV-Ray 3.7.0.10: whatever is missing of a list is the default texture, also all of it; a texture too many is not.
+TEST(Textures, ListsAreFilledWithTheDefault) {
+  for (const char* pattern : {"checker", "object { sphere { 0, 1 } }", "hexagon", "cubic scale 2"}) {
+    const Scene scene = scene_of(kVersion + "#default { pigment { rgb x } } sphere { 0, 1 texture { " + pattern + " } }");
+    const auto& list = std::get<PatternedTexture>(only_object(scene).texture.texture->content);
+    ASSERT_GE(list.map.entries.size(), 2u) << pattern;
+    for (const auto& entry : list.map.entries)
+      EXPECT_EQ(plain_color(*std::get<std::vector<TextureLayer>>(entry.value->content).at(0).pigment).rgb, Rgb(1, 0, 0)) << pattern;
+  }
+  EXPECT_THAT(rejection_of(kVersion + "sphere { 0, 1 texture { checker texture { } texture { } texture { } } }"),
+              testing::HasSubstr("No matching } in 'texture', texture found instead"));
+  EXPECT_EQ(rejection_of(kVersion + "sphere { 0, 1 texture { checker texture_map { [0 pigment { rgb 1 }] } } }"),
+            "Keyword 'texture_map' cannot be used with this pattern type.");
+}
+
+// The words are POV-Ray 3.7.0.10's.
+TEST(Maps, AreRefusedByPatternsThatCannotHaveThem) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"pigment { checker pigment_map { [0 rgb 1] } }", "Keyword 'pigment_map' cannot be used with this pigment type."},
+      {"pigment { rgb 1 pigment_map { [0 rgb 1] } }", "Keyword 'pigment_map' cannot be used with this pigment type."},
+      {"pigment { average color_map { [0 rgb 1] } }", "Cannot use color_map with this pattern type."},
+      {"normal { checker normal_map { [0 bumps] } }", "Keyword 'normal_map' cannot be used with this normal type."},
+      {"normal { facets normal_map { [0 bumps] } }", "Keyword 'normal_map' cannot be used with this normal type."},
+      {"normal { average normal_map { [1 bumps] } slope_map { [0 <0, 1>] } }", "Keyword 'slope_map' cannot be used with this normal type."},
+      {"interior { media { density { checker density_map { [0 rgb 1] } } } }", "Keyword 'density_map' cannot be used with this density type."}};
+  for (const auto& [content, message] : cases) EXPECT_EQ(rejection_of(kVersion + "sphere { 0, 1 " + content + " }"), message) << content;
+}
+
 TEST(Textures, TilesAreACheckerWithTheSecondAtZero) {
   const Scene scene = scene_of(
       kVersion + "sphere { 0, 1 texture { tiles { texture { pigment { rgb x } } tile2 texture { pigment { rgb y } } } } }");

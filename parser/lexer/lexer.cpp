@@ -368,9 +368,10 @@ void lex_piece(SourceFile& file, Names& names, std::size_t size, bool runs) {
   const char* const from = begin + file.lexed;
   const char* const to = static_cast<std::size_t>(end - from) > size ? from + size : end;
   if (!file.tokens.empty()) file.tokens.pop_back();
-  LexState state{file, names, file.tokens, begin, to, runs ? from : nullptr};
+  LexState state{file, names, file.tokens, begin, to, runs ? std::max(from, begin + file.next_run) : nullptr};
   const std::uint32_t before = file.lexed;
   file.lexed = static_cast<std::uint32_t>(lex_text(state, from, end) - begin);
+  if (runs) file.next_run = static_cast<std::uint32_t>(state.next_run - begin);
   // The piece before this one was read; of this one, lines are still counted.
   file.storage.release(before > kPiece ? before - kPiece : 0, before);
 }

@@ -49,6 +49,7 @@ struct SourceFile {
   std::vector<std::string> strings;  // of kString tokens
   std::vector<std::string> errors;   // of kError tokens
   std::vector<LiteralRun> runs;      // of kRun tokens
+  std::uint32_t next_run = 0;        // where it is worth looking for a run again
 
   std::uint32_t lexed = 0;           // how much of the text the tokens are made of
   bool complete() const { return !tokens.empty() && tokens.back().kind == TokenKind::kEnd; }

@@ -147,8 +147,8 @@ Contents contents_of(const Object& object) {
 
 bool is_patch(const Object& object) {
   if (const Csg* csg = object.csg()) return csg->operation != CsgOperation::kLightGroup && csg->contents.patches;
-  const AnyShape* shape = object.shape();
-  return shape == nullptr || is_patch(*shape);
+  if (const LightSource* light = object.light()) return light->looks_like == nullptr || is_patch(*light->looks_like);
+  return is_patch(*object.shape());
 }
 
 }  // namespace lute

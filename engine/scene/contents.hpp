@@ -16,7 +16,8 @@ std::uint32_t depth_of(const Texture& texture);
 
 Contents contents_of(const Object& object);
 
-// Whether the object has no inside: triangles and other patches, lights, and what is made with any of them, except a light_group.
+// Whether the object has no inside: triangles and other patches, lights that look like nothing or like a patch, and what is made with any
+// of them, except a light_group.
 bool is_patch(const Object& object);
 
 Contents contents_of(const std::vector<ObjectPtr>& objects);

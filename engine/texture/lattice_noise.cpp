@@ -141,6 +141,11 @@ struct VectorSum {
 
 double sum(const dvec3& p) { return noise_sum(p, noise_tables(), Corners()); }
 
+void octaves(const dvec3& p, double scale, int generator, int count, double* out) {
+  const NoiseTables tables = noise_tables();
+  for (int i = 0; i < count; ++i, scale *= 2) out[i] = scaled_noise(noise_sum(p * scale, tables, Corners()), generator);
+}
+
 void vector_noise(const dvec3& p, dvec3& out) {
   const NoiseTables tables = noise_tables();
   VectorSum noise;
@@ -186,6 +191,7 @@ namespace lute {
 namespace {
 
 HWY_EXPORT(sum);
+HWY_EXPORT(octaves);
 HWY_EXPORT(vector_noise);
 HWY_EXPORT(turbulence);
 HWY_EXPORT(vector_turbulence);
@@ -193,6 +199,10 @@ HWY_EXPORT(vector_turbulence);
 }  // namespace
 
 double lattice_sum(const dvec3& p) { return HWY_DYNAMIC_DISPATCH(sum)(p); }
+
+void lattice_octaves(const dvec3& p, double first_scale, int generator, int count, double* out) {
+  HWY_DYNAMIC_DISPATCH(octaves)(p, first_scale, generator, count, out);
+}
 
 double lattice_turbulence(const dvec3& p, const Turbulence& t, int generator) {
   return HWY_DYNAMIC_DISPATCH(turbulence)(p, t, generator);

@@ -9,6 +9,8 @@ namespace lute {
 
 // The sum over the corners of the cell, before a generator scales it.
 double lattice_sum(const dvec3& p);
+// octaves_of_noise() of generator 1 or 2.
+void lattice_octaves(const dvec3& p, double first_scale, int generator, int count, double* out);
 // Turbulence of generator 1 or 2.
 double lattice_turbulence(const dvec3& p, const Turbulence& t, int generator);
 

@@ -156,6 +156,11 @@ double noise(const dvec3& p, int generator) {
   return scaled_noise(lattice_sum(p), generator);
 }
 
+void octaves_of_noise(const dvec3& p, double first_scale, int generator, int count, double* out) {
+  if (generator != 3) return lattice_octaves(p, first_scale, generator, count, out);
+  for (int i = 0; i < count; ++i, first_scale *= 2) out[i] = noise(p * first_scale, generator);
+}
+
 double turbulence(const dvec3& p, const Turbulence& t, int generator) {
   if (generator != 3) return lattice_turbulence(p, t, generator);
   double value = std::clamp(2 * noise(p, generator) - 0.5, 0.0, 1.0);

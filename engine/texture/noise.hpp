@@ -21,6 +21,8 @@ const double* random_numbers();
 
 // 0...1; generator 1 (original), 2 (range corrected) or 3 (Perlin).
 double noise(const dvec3& p, int generator);
+// noise() of the point at `count` scales, each twice the one before.
+void octaves_of_noise(const dvec3& p, double first_scale, int generator, int count, double* out);
 // About -1...1 each component; the same for every generator.
 dvec3 vector_noise(const dvec3& p);
 

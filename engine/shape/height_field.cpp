@@ -24,6 +24,7 @@ using VertexNormal = std::array<std::int16_t, 3>;
 class VertexNormals {
  public:
   explicit VertexNormals(const HeightGrid& grid) : width_(grid.width) {
+    normals_.reserve(grid.heights.size());
     for (int z = 0; z < grid.depth; ++z)
       for (int x = 0; x < grid.width; ++x) normals_.push_back(quantised(at_vertex(grid, x, z)));
   }
@@ -33,24 +34,22 @@ class VertexNormals {
 
  private:
   static VertexNormal quantised(const dvec3& n) {
-    const auto component = [](double v) { return static_cast<std::int16_t>(std::trunc(32767 * v)); };
+    const auto component = [](double v) { return static_cast<std::int16_t>(32767 * v); };
     return {component(n.x), component(n.y), component(n.z)};
   }
 
   // The mean of the normals of the four triangles between the vertex and its neighbours.
   static dvec3 at_vertex(const HeightGrid& grid, int x, int z) {
-    static constexpr int kAround[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
-    const auto exists = [&](int i, int k) { return i >= 0 && i < grid.width && k >= 0 && k < grid.depth; };
+    const bool west = x > 0, east = x + 1 < grid.width, south = z > 0, north = z + 1 < grid.depth;
+    const int here = grid.at(x, z);
+    const double to_west = west ? here - grid.at(x - 1, z) : 0, to_east = east ? grid.at(x + 1, z) - here : 0;
+    const double to_south = south ? here - grid.at(x, z - 1) : 0, to_north = north ? grid.at(x, z + 1) - here : 0;
     dvec3 sum(0);
-    for (int side = 0; side < 4; ++side) {
-      const int* a = kAround[side];
-      const int* b = kAround[side + 1];
-      if (!exists(x + a[0], z + a[1]) || !exists(x + b[0], z + b[1])) continue;
-      const dvec3 to_a(a[0], grid.at(x + a[0], z + a[1]) - grid.at(x, z), a[1]);
-      const dvec3 to_b(b[0], grid.at(x + b[0], z + b[1]) - grid.at(x, z), b[1]);
-      dvec3 n = glm::normalize(glm::cross(to_a, to_b));
-      sum += n.y < 0 ? -n : n;
-    }
+    const auto add = [&](double slope_x, double slope_z) { sum += glm::normalize(dvec3(-slope_x, 1, -slope_z)); };
+    if (east && north) add(to_east, to_north);
+    if (north && west) add(to_west, to_north);
+    if (west && south) add(to_west, to_south);
+    if (south && east) add(to_east, to_south);
     return glm::normalize(sum);
   }
 

@@ -10,11 +10,7 @@ int SceneBuilder::open_light_group(int outer) {
   return static_cast<int>(built_.light_groups.size()) - 1;
 }
 
-void SceneBuilder::add_light(const LightSource& light, const Object&, const Context& own) {
-  if (geometry_only_) {
-    if (light.looks_like != nullptr) add_top_level(*light.looks_like, own);
-    return;
-  }
+void SceneBuilder::add_light(const LightSource& light, const Context& own) {
   auto built = std::make_unique<BuiltLight>(build_light(light, own.to_world, options_.quality >= kQualityAreaLights));
   built->fade_distance *= built_.scale;
   if (built->kind == LightKind::kCylinder) {
@@ -34,14 +30,14 @@ void SceneBuilder::add_light(const LightSource& light, const Object&, const Cont
   else
     built_.global_lights.push_back(built.get());
   built_.lights.push_back(std::move(built));
-  if (light.looks_like == nullptr) return;
+}
 
-  Context parent = own;
+SceneBuilder::Context SceneBuilder::context_for_form(const Context& of_light) {
+  Context parent = of_light;
   parent.visibility.no_shadow = true;
-  parent.inverted = false;
-  parent.stays_untextured = false;
   parent.group_member = false;
-  add_top_level(*light.looks_like, parent);
+  parent.global_lights = true;  // the reference does not hand the wish of a light_group on to it
+  return parent;
 }
 
 }  // namespace lute

@@ -47,7 +47,8 @@ void SceneBuilder::add_geometry(const ObjectPtr& object) {
 void SceneBuilder::add_top_level(const Object& object, const Context& parent) {
   const Context own = resolve(object, parent);
   if (const LightSource* light = object.light()) {
-    add_light(*light, object, own);
+    if (!geometry_only_) add_light(*light, own);
+    if (light->looks_like != nullptr) add_top_level(*light->looks_like, context_for_form(own));
     return;
   }
   const Csg* csg = object.csg();
@@ -128,13 +129,7 @@ SceneBuilder::Parts SceneBuilder::children(const Object& object, const Csg& csg,
     const Object& child = *csg.children[i];
     Context parent = down;
     if (csg.operation == CsgOperation::kDifference && i > 0) parent.inverted = !parent.inverted;
-    const Context resolved = resolve(child, parent);
-    if (!is_light(child))
-      add_part(child, resolved, kind, parts);
-    else if (!geometry_only_)
-      add_light(*child.light(), child, resolved);
-    else if (const auto& form = child.light()->looks_like; form != nullptr)  // a light counts as what it looks like
-      add_part(*form, resolve(*form, resolved), kind, parts);
+    add_part(child, resolve(child, parent), kind, parts);
   }
   return parts;
 }
@@ -142,6 +137,12 @@ SceneBuilder::Parts SceneBuilder::children(const Object& object, const Csg& csg,
 // An intersection in an intersection is dissolved: a hit is asked once for each part, not once for each part and level. In reverse,
 // since among hits of equal depths the order turns around at every level. Cut surfaces that lack a texture ask the levels, so these stay.
 void SceneBuilder::add_part(const Object& object, const Context& own, CsgKind outer, Parts& parts) {
+  if (const LightSource* light = object.light()) {
+    if (!geometry_only_) add_light(*light, own);
+    const Object* const form = light->looks_like.get();  // a light counts as that
+    if (form != nullptr) add_part(*form, resolve(*form, context_for_form(own)), outer, parts);
+    return;
+  }
   const Csg* csg = object.csg();
   const bool dissolved = csg != nullptr && all_children_needed(outer) && all_children_needed(kind_of(*csg, own.inverted)) &&
                          !has_limits(object) && !own.cutaway;
@@ -150,11 +151,7 @@ void SceneBuilder::add_part(const Object& object, const Context& own, CsgKind ou
     parts.families.push_back(0);
     return;
   }
-  Parts inner = children(object, *csg, own);
-  if (inner.solids.empty()) {  // nothing but lights: no point is inside
-    inner.solids.push_back(std::make_unique<CsgSolid>(CsgKind::kIntersection, SolidList()));
-    inner.families.push_back(0);
-  }
+  Parts inner = children(object, *csg, own);  // none, if it is nothing but lights: every point is inside
   for (std::size_t i = inner.solids.size(); i-- > 0;) {
     parts.solids.push_back(std::move(inner.solids[i]));
     parts.families.push_back(parts.family_count + inner.families[i]);
@@ -181,9 +178,15 @@ SceneBuilder::Limits SceneBuilder::limits(const Object& object, const Context& o
   std::map<const Object*, std::shared_ptr<const Solid>> built;
   const auto build_all = [&](const std::vector<ObjectPtr>& objects, SharedSolids& out) {
     for (const ObjectPtr& limit : objects) {
-      if (is_light(*limit)) continue;
-      auto& shared = built[limit.get()];
-      if (shared == nullptr) shared = solid(*limit, resolve(*limit, parent), false);
+      const Object* form = limit.get();
+      Context context = resolve(*form, parent);
+      while (form != nullptr && is_light(*form)) {  // a light counts as what it looks like
+        form = form->light()->looks_like.get();
+        if (form != nullptr) context = resolve(*form, context);
+      }
+      if (form == nullptr) continue;
+      auto& shared = built[form];
+      if (shared == nullptr) shared = solid(*form, context, false);
       out.push_back(shared);
     }
   };

@@ -106,7 +106,8 @@ class SceneBuilder {
   void add_container(const Solid& solid, const Context& own);
 
   // light_builder.cpp
-  void add_light(const LightSource& light, const Object& object, const Context& own);
+  void add_light(const LightSource& light, const Context& own);
+  static Context context_for_form(const Context& of_light);  // of what the light looks like
   int open_light_group(int outer);
 
   BuiltScene& built_;

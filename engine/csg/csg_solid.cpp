@@ -281,7 +281,6 @@ bool CsgSolid::inside(const dvec3& point) const {
 }
 
 bool CsgSolid::plain_inside(const dvec3& point) const {
-  if (children_.empty()) return false;
   if (all_children_needed()) {
     bool refused = false;
     refusals_.around(point, [&](std::uint32_t i) { return refused = !children_[i]->inside(point); });
@@ -307,7 +306,6 @@ bool CsgSolid::plain_inside_on(const dvec3& point, const Leaf& on) const {
     const auto* leaf = dynamic_cast<const LeafSolid*>(child.get());
     return leaf != nullptr && &leaf->leaf() == &on;
   };
-  if (children_.empty()) return false;
   return all_children_needed() ? std::ranges::all_of(children_, inside_on) : std::ranges::any_of(children_, inside_on);
 }
 

@@ -123,11 +123,39 @@ TEST(Intersection, TakesInThePartsOfAnIntersectionInside) {
   EXPECT_EQ(parts([](Object& o) { o.edit_csg()->cutaway_textures = true; }), 3u);
 }
 
-// What holds no solid has no inside, and neither has an intersection with it.
-TEST(Intersection, WithNothingButALightInsideIsEmpty) {
+// In POV-Ray's picture the ball stays whole: of no members, all have the point inside.
+TEST(Intersection, WithNothingButALightInsideIsWhole) {
   auto lights = csg(CsgOperation::kIntersection, {light({0, 0, -10})});
-  const auto built = built_scene(scene({csg(CsgOperation::kIntersection, {ball(), lights})}));
-  EXPECT_FALSE(built->solids[0]->inside({0, 0, 0}));
+  EXPECT_TRUE(built_scene(scene({csg(CsgOperation::kIntersection, {ball(), lights})}))->solids[0]->inside({0, 0, 0}));
+  lights->extras.edit().clipped_by = {object(plane({0, 1, 0}, 0))};
+  const auto clipped = built_scene(scene({csg(CsgOperation::kIntersection, {ball(), lights})}));
+  EXPECT_TRUE(clipped->solids[0]->inside({0, -.5, 0}));
+  EXPECT_FALSE(clipped->solids[0]->inside({0, .5, 0}));
+}
+
+// So POV-Ray's pictures have it: what a light looks like is a member of the intersection or difference around it, and clips.
+TEST(Light, CountsAsWhatItLooksLike) {
+  const auto lamp = [] {
+    auto result = light({1, 0, 0});
+    result->edit_light()->looks_like = object(sphere({1, 0, 0}, 1));
+    return result;
+  };
+  const dvec3 in_both(.5, 0, 0), in_ball(-.5, 0, 0), in_lamp(1.5, 0, 0);
+  const auto both = built_scene(scene({csg(CsgOperation::kIntersection, {ball(), lamp()})}));
+  ASSERT_EQ(both->solids.size(), 1u);
+  EXPECT_EQ(both->lights.size(), 1u);
+  EXPECT_TRUE(both->solids[0]->inside(in_both));
+  EXPECT_FALSE(both->solids[0]->inside(in_ball));
+  EXPECT_FALSE(both->solids[0]->inside(in_lamp));
+  const auto without = built_scene(scene({csg(CsgOperation::kDifference, {ball(), lamp()})}));
+  ASSERT_EQ(without->solids.size(), 1u);
+  EXPECT_FALSE(without->solids[0]->inside(in_both));
+  EXPECT_TRUE(without->solids[0]->inside(in_ball));
+  auto b = ball();
+  b->extras.edit().clipped_by = {lamp()};
+  const auto clipped = built_scene(scene({b}));
+  EXPECT_TRUE(clipped->solids[0]->inside(in_both));
+  EXPECT_FALSE(clipped->solids[0]->inside(in_ball));
 }
 
 TEST(Clip, StaysWhereItIsWhenTheObjectMovesBeforeIt) {

@@ -6,9 +6,11 @@
 //   * `std::unique_ptr<Shape> build(const Name&, const SharedTransform& to_world, BuildContext&)`;
 // and add
 //   * its include and its alternative to `engine/shape/table.hpp`;
+//   * its keyword to LUTE_WORDS (`parser/lexer/word.hpp`), if the language does not know the word yet;
 //   * a parser to one of `parser/statement/*_shape.{hpp,cpp}`, and its line in kPrimitives (`parser/statement/primitive.cpp`);
 //   * `fields(const Name&)` to `parser/dump/shape.cpp`, which does not compile without.
-// A test says so if a keyword is missing from the parser. See sphere.hpp for a small one.
+// Tests: a case in tests/engine/shape/shape_cases.cpp for those that every shape passes, a scene in scenes/feature/shape, a dense one in
+// bench/scene. A test says so if a keyword is missing from the parser. See sphere.hpp and box.cpp for small ones.
 #pragma once
 
 #include <array>

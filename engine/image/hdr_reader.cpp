@@ -18,6 +18,7 @@ constexpr int kLongestSide = 1 << 16;
 std::string line(ByteReader& file) {
   std::string text;
   for (char c = static_cast<char>(file.byte()); c != '\n'; c = static_cast<char>(file.byte())) text += c;
+  if (text.ends_with('\r')) text.pop_back();
   return text;
 }
 

@@ -41,6 +41,12 @@ class Hdr : public testing::Test {
   std::string error_;
 };
 
+// POV-Ray 3.7.0.10 reads such a file, too.
+TEST_F(Hdr, LinesMayEndInReturnAndNewline) {
+  std::ofstream(path_, std::ios::binary) << "#?RADIANCE\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 1\r\n" << "\x10\x20\x30\x88"s;
+  EXPECT_THAT(read(), ElementsAre(16.5f, 32.5f, 48.5f));
+}
+
 // Measured with POV-Ray 3.7.0.10: the bytes 103, 0, 183 with the exponent 128 are 0.404296875, 0.001953125, 0.716796875: half a step
 // above the byte over 256. So it is, too, where the largest byte is below 128, even 0; but the exponent 0 is black.
 TEST_F(Hdr, ColorsAreInTheMiddleOfTheirStep) {

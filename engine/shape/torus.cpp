@@ -176,7 +176,7 @@ class WindowedRing final : public ScannedShape<WindowedRing> {
 std::unique_ptr<Shape> build(const Torus& torus, const SharedTransform& to_world, BuildContext&) {
   const double major = torus.major_radius, minor = torus.minor_radius;
   if (major >= 0 && minor > 0) return std::make_unique<Ring>(torus, to_world);
-  if (major < 0 && minor != 0) return std::make_unique<WindowedRing>(torus, to_world);
+  if (minor != 0) return std::make_unique<WindowedRing>(torus, to_world);
   return build_empty_shape(false);
 }
 

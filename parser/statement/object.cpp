@@ -45,21 +45,18 @@ std::optional<ObjectPtr> accept_named_object(Reader& reader, Word keyword) {
   return finished(reader, **named, keyword);
 }
 
-// What keeps its place in the order of tests: an absent first part of a difference takes the whole with it.
+// A combination of nothing counts: a union of nothing has no inside, an intersection of nothing no outside.
 std::vector<ObjectPtr> parse_members(Reader& reader, CsgOperation operation) {
   std::vector<ObjectPtr> members;
   std::size_t count = 0;
-  bool base_absent = false;
   while (const auto member = accept_object(reader)) {
     ++count;
     const bool solid_only = operation == CsgOperation::kIntersection || operation == CsgOperation::kDifference;
     if (solid_only && is_patch(**member))
       reader.warning("Patch objects not allowed in intersection.");
-    if (!is_absent(**member)) members.push_back(*member);
-    else if (count == 1 && operation == CsgOperation::kDifference) base_absent = true;
+    members.push_back(*member);
   }
   if (count < 2) reader.warning("Should have at least 2 objects in csg.");
-  if (base_absent) members.clear();
   return members;
 }
 

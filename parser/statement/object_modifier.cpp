@@ -81,7 +81,6 @@ std::vector<ObjectPtr> parse_limits(Reader& reader) {
   bool any = false;
   while (const auto object = accept_object(reader)) {
     any = true;
-    if (is_absent(**object)) continue;
     if (carries_texture(**object) || is_patch(**object))
       reader.error("Illegal texture or patch in clip, bound or object pattern.");
     objects.push_back(*object);

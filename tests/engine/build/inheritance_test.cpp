@@ -158,6 +158,21 @@ TEST(Light, CountsAsWhatItLooksLike) {
   EXPECT_FALSE(clipped->solids[0]->inside(in_ball));
 }
 
+// As POV-Ray's pictures of them: no point is inside of a union of nothing, every point inside of an intersection of nothing.
+TEST(Combination, OfNothingCountsAsAMember) {
+  const auto holds = [](CsgOperation outer, CsgOperation inner, bool nothing_first) {
+    std::vector<ObjectPtr> members{ball(), csg(inner, {})};
+    if (nothing_first) std::swap(members[0], members[1]);
+    return built_scene(scene({csg(outer, members)}))->solids[0]->inside({0, 0, 0});
+  };
+  EXPECT_FALSE(holds(CsgOperation::kIntersection, CsgOperation::kUnion, false));
+  EXPECT_FALSE(holds(CsgOperation::kIntersection, CsgOperation::kMerge, true));
+  EXPECT_FALSE(holds(CsgOperation::kDifference, CsgOperation::kIntersection, false));
+  EXPECT_TRUE(holds(CsgOperation::kDifference, CsgOperation::kUnion, false));
+  EXPECT_FALSE(holds(CsgOperation::kDifference, CsgOperation::kUnion, true));
+  EXPECT_TRUE(holds(CsgOperation::kMerge, CsgOperation::kIntersection, false));
+}
+
 TEST(Clip, StaysWhereItIsWhenTheObjectMovesBeforeIt) {
   auto b = ball(glowing(1, 0, 0));
   b->transform = Transform::translate({5, 0, 0});

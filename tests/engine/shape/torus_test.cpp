@@ -116,5 +116,13 @@ TEST(Torus, BoundsAreTight) {
   EXPECT_NEAR(box.hi.z, .25, 1e-12);
 }
 
+// POV-Ray's picture of torus{.3, -.8} is empty, its inside() that of a positive radius.
+TEST(Torus, OfNegativeMinorRadiusHasAnInsideAlone) {
+  const auto shape = test::make(Torus{.3, -.8, false});
+  EXPECT_FALSE(test::trace(*shape, {.2, 3, .1}, {0, -1, 0}));
+  EXPECT_TRUE(shape->inside({1, 0, 0}));
+  EXPECT_FALSE(shape->inside({1.2, 0, 0}));
+}
+
 }  // namespace
 }  // namespace lute

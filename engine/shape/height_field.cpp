@@ -16,6 +16,7 @@ namespace {
 constexpr double kFullHeight = 65536;
 constexpr double kSlabSlack = 0.001;  // of the box, in units of height
 constexpr double kCellSlack = 1e-4;   // triangles reach this much into their neighbours
+constexpr int kFirstLevel = 2;        // of squares: most rays begin or arrive near the heights, and soon climb where they do not
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // Normals at the grid's points: each component is a 16-bit integer, as the reference keeps them.
@@ -87,13 +88,15 @@ class Landscape final : public ScannedShape<Landscape> {
     const dvec3& o = local.origin;
     const dvec3& d = local.direction;
     const int columns = grid_->width - 1, rows = grid_->depth - 1, coarsest = pyramid_->levels() - 1;
+    const int ahead_x = d.x > 0 ? 1 : 0, ahead_z = d.z > 0 ? 1 : 0;
+    const bool along_z = d.x == 0, along_x = d.z == 0;
     double t = range.lo;
     int x = std::clamp(static_cast<int>(o.x + t * d.x), 0, columns - 1), z = std::clamp(static_cast<int>(o.z + t * d.z), 0, rows - 1);
-    for (int level = coarsest;;) {
+    for (int level = std::min(coarsest, kFirstLevel);;) {
       const int square_x = x >> level, square_z = z >> level;
-      const int border_x = (square_x + (d.x > 0 ? 1 : 0)) << level, border_z = (square_z + (d.z > 0 ? 1 : 0)) << level;
-      const double leave_x = d.x == 0 ? kNever : (border_x - o.x) * reciprocal.x, leave_z = d.z == 0 ? kNever : (border_z - o.z) * reciprocal.z;
-      const double leave = std::min({leave_x, leave_z, range.hi});
+      const int border_x = (square_x + ahead_x) << level, border_z = (square_z + ahead_z) << level;
+      const double leave_x = along_z ? kNever : (border_x - o.x) * reciprocal.x, leave_z = along_x ? kNever : (border_z - o.z) * reciprocal.z;
+      const double leave = std::min(std::min(leave_x, leave_z), range.hi);
       const double y0 = o.y + t * d.y, y1 = o.y + leave * d.y;
       const HeightPyramid::Range heights = pyramid_->range(level, square_x, square_z);
       if (std::max(y0, y1) >= heights.lo - kSlabSlack && std::min(y0, y1) <= heights.hi + kSlabSlack) {
@@ -107,11 +110,11 @@ class Landscape final : public ScannedShape<Landscape> {
       t = std::max(t, leave);
       const bool over_x = leave_x <= leave_z;
       if (over_x) {
-        x = d.x > 0 ? border_x : border_x - 1;
+        x = border_x + ahead_x - 1;
         if (x < 0 || x >= columns) return;
         z = std::clamp(static_cast<int>(o.z + t * d.z), square_z << level, std::min((square_z + 1) << level, rows) - 1);
       } else {
-        z = d.z > 0 ? border_z : border_z - 1;
+        z = border_z + ahead_z - 1;
         if (z < 0 || z >= rows) return;
         x = std::clamp(static_cast<int>(o.x + t * d.x), square_x << level, std::min((square_x + 1) << level, columns) - 1);
       }

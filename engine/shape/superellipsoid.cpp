@@ -14,18 +14,41 @@ namespace {
 constexpr double kReach = 1.01;      // half side of the box the ray is cut to
 constexpr double kOnSurface = 1e-10;
 
+// The exponent of a norm. Scenes like round numbers, 2 / 0.25 or 2 / 0.4: a whole power is a few products.
+class Exponent {
+ public:
+  explicit Exponent(double q) : q_(q), inverse_(1 / q), whole_(q >= 1 && q <= kLargest && q == std::floor(q) ? static_cast<unsigned>(q) : 0) {}
+
+  double power(double base) const {  // base >= 0
+    if (whole_ == 0) return std::pow(base, q_);
+    double result = 1;
+    for (unsigned rest = whole_;;) {
+      if ((rest & 1) != 0) result *= base;
+      if ((rest >>= 1) == 0) return result;
+      base *= base;
+    }
+  }
+  double root(double of) const { return std::pow(of, inverse_); }
+  double value() const { return q_; }
+
+ private:
+  static constexpr double kLargest = 64;
+  double q_, inverse_;
+  unsigned whole_;  // 0: not a whole number, or a large one
+};
+
 // (u^q + v^q)^(1/q) for u, v >= 0, with its derivatives by u and v.
 struct PNorm {
   double value, by_u, by_v;
 };
 
-PNorm p_norm(double u, double v, double q) {
+PNorm p_norm(double u, double v, const Exponent& q) {
   const double larger = std::max(u, v);
   if (larger == 0) return {0, 1, 1};
   const double ratio = std::min(u, v) / larger;
-  const double power = std::pow(ratio, q);
+  const double power = q.power(ratio);
   if (power < 1e-17) return u > v ? PNorm{u, 1, 0} : PNorm{v, 0, 1};
-  const double factor = std::pow(1 + power, 1 / q);
+  const double factor = q.root(1 + power);
   const double by_larger = factor / (1 + power);
   const double by_smaller = by_larger * power / ratio;
   return u > v ? PNorm{larger * factor, by_larger, by_smaller} : PNorm{larger * factor, by_smaller, by_larger};
@@ -68,10 +91,10 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
 
   // With exponents of at least 1 the value is a norm minus 1, and so a convex function of the depth: a ray has at most one entry and
   // one exit.
-  bool convex() const { return alpha_ >= 1 && gamma_ >= 1; }
+  bool convex() const { return alpha_.value() >= 1 && gamma_.value() >= 1; }
 
   // With exponents of at most 1 it is a concave function between the planes of symmetry, and cannot dip there.
-  bool concave() const { return alpha_ <= 1 && gamma_ <= 1; }
+  bool concave() const { return alpha_.value() <= 1 && gamma_.value() <= 1; }
 
   // Newton's method from the ends of the stretch never steps over a root of a convex function, and a slope away from 0 before one is
   // found says that there is none.
@@ -148,9 +171,9 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
   dvec3 gradient(const dvec3& p) const {
     const double x = std::abs(p.x);
     const double y = std::abs(p.y);
-    const double zeta = std::pow(std::abs(p.z), gamma_);
+    const double zeta = gamma_.power(std::abs(p.z));
     const auto over = [](double share, double coordinate) { return coordinate == 0 ? 0 : share / coordinate; };
-    const double rho = x > y ? std::pow(y / x, alpha_) : y > 0 ? std::pow(x / y, alpha_) : 1;
+    const double rho = x > y ? alpha_.power(y / x) : y > 0 ? alpha_.power(x / y) : 1;
     const double rest = 1 - zeta;
     return {over(x > y ? rest : rest * rho, p.x), over(x > y ? rest * rho : rest, p.y), over(zeta, p.z) * (1 + rho)};
   }
@@ -248,7 +271,7 @@ class RoundedBox final : public ScannedShape<RoundedBox> {
     return t;
   }
 
-  double alpha_, gamma_;
+  Exponent alpha_, gamma_;
   SharedTransform to_world_;
 };
 

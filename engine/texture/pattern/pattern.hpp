@@ -11,8 +11,8 @@
 //   * if it perturbs normals by a formula of its own instead of by its slope (chapter 50 §13.2),
 //     `dvec3 perturb(const Name&, const dvec3& normal, double amount, const dvec3& point, const PatternContext&)`;
 // and its include and alternative in `engine/texture/pattern/table.hpp`. The parser finds the keyword through that table; a word that
-// the language does not know yet goes to LUTE_WORDS (`parser/lexer/word.hpp`) too. A pattern with parameters also needs `parse_arguments` (parser/statement/pattern_arguments.cpp) and `parameters` (parser/dump/pattern.cpp, which does
-// not compile without).
+// the language does not know yet goes to LUTE_WORDS (`parser/lexer/word.hpp`) too. A pattern with parameters also needs
+// `parse_arguments` (parser/statement/pattern_arguments.cpp) and `parameters` (parser/dump/pattern.cpp, which does not compile without).
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,7 @@ using Function = JuliaFractal::Function;
 constexpr double kFinest = 1e-7;  // bracket in which a hit is found
 
 // The iterates of one point; entries behind an escape are those of earlier points on the same ray, as the reference's normal sees
-// them. Behind them, for functions, the images of the iterates before the escape: the slope needs them again.
+// them.
 using Orbit = std::vector<dvec4>;
 
 // A hypercomplex number as the two complex numbers whose sums and products are its own; the mean of their squared lengths is its.
@@ -64,7 +64,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     if (t > wanted.hi) return;
 
     thread_local Orbit orbit;
-    if (orbit.size() != record_size() || by_function_) orbit.assign(record_size(), dvec4(0));
+    if (orbit.size() != steps_ + 1 || by_function_) orbit.assign(steps_ + 1, dvec4(0));
     double step = 0;
     bool inside = evaluate(local.at(t), local.direction, orbit, step);
     if (inside) {
@@ -111,7 +111,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   }
   bool inside(const dvec3& point) const override {
     thread_local Orbit orbit;
-    orbit.resize(record_size());
+    orbit.resize(steps_ + 1);
     return stays(to_world_->inverse_point(point), orbit);
   }
   dvec3 normal(const ShapeHit& hit, const dvec3&) const override {
@@ -154,20 +154,8 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     }
     if (f_.function == Function::kReciprocal) return escape_step_of(z, orbit, [](const dvec4& q) { return hypercomplex_reciprocal(q); });
     if (!by_function_) return escape_step_of(z, orbit, [](const dvec4& q) { return hypercomplex_square(q); });
-    return function_escape(z, orbit);
+    return escape_step_of(z, orbit, [this](const dvec4& q) { return hypercomplex_function(f_.function, f_.exponent, q); });
   }
-  std::size_t function_escape(dvec4 z, dvec4* orbit) const {
-    dvec4* const images = orbit + steps_ + 1;
-    orbit[0] = z;
-    for (std::size_t i = 1; i <= steps_; ++i) {
-      if (glm::dot(z, z) > escape_) return i;
-      images[i - 1] = hypercomplex_function(f_.function, f_.exponent, z);
-      z = images[i - 1] + f_.constant;
-      orbit[i] = z;
-    }
-    return 0;
-  }
-  std::size_t record_size() const { return by_function_ ? 2 * (steps_ + 1) : steps_ + 1; }
 
   // The same for quaternions, without a record of the orbit: the step, and the product of the squared lengths of what came before it.
   std::size_t quaternion_escape(const dvec4& z, double& norm, double& product) const {
@@ -239,7 +227,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
       const std::size_t i = escape_step(start(p), orbit);
       if (i == 0) return true;
       norm = glm::dot(orbit[i - 1], orbit[i - 1]);
-      slope = glm::dot(hypercomplex_normal(orbit, i - 1, by_function_), direction);
+      slope = glm::dot(hypercomplex_normal(orbit, i - 1), direction);
     }
     const double s = -2 * slope;
     if (slope < -1e-8 && least_step_ * s < norm && norm < 30 * least_step_ * s) step = norm / s;
@@ -282,16 +270,14 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     return by_function_ ? hypercomplex_function(f_.function, f_.exponent, z) : z;
   }
 
-  // `images_known`: of all iterates that it takes.
-  dvec3 hypercomplex_normal(const Orbit& orbit, std::size_t n, bool images_known = false) const {
+  dvec3 hypercomplex_normal(const Orbit& orbit, std::size_t n) const {
     dvec4 h = orbit[0];
     dvec4 v = orbit[n];
     if (f_.function == Function::kSqr) {
       for (std::size_t j = 1; j < n; ++j) h = hypercomplex_product(h, orbit[j]);
       v *= 1 / shares_[n];
     } else {
-      for (std::size_t j = 1; j < n; ++j)
-        h = hypercomplex_product(h, images_known ? orbit[steps_ + 1 + j] : other_slope(orbit[j]));
+      for (std::size_t j = 1; j < n; ++j) h = hypercomplex_product(h, other_slope(orbit[j]));
     }
     return {h.x * v.x + h.y * v.y + h.z * v.z + h.w * v.w, -h.y * v.x + h.x * v.y - h.w * v.z + h.z * v.w,
             -h.z * v.x - h.w * v.y + h.x * v.z + h.y * v.w};

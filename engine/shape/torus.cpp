@@ -12,6 +12,12 @@ namespace lute {
 
 namespace {
 
+bool inside_tube(const Transform& to_world, double major, double minor, const dvec3& point) {
+  const dvec3 p = to_world.inverse_point(point);
+  const double g = std::hypot(p.x, p.z) - major;
+  return g * g + p.y * p.y <= minor * minor;
+}
+
 dvec3 normal_of_tube(const Transform& to_world, double major, const dvec3& point) {
   const dvec3 p = to_world.inverse_point(point);
   const double rho = std::hypot(p.x, p.z);
@@ -67,11 +73,7 @@ class Ring final : public ScannedShape<Ring> {
     }
     return {center - reach, center + reach};
   }
-  bool inside(const dvec3& point) const override {
-    const dvec3 p = to_world_->inverse_point(point);
-    const double g = std::hypot(p.x, p.z) - major_;
-    return g * g + p.y * p.y <= minor_ * minor_;
-  }
+  bool inside(const dvec3& point) const override { return inside_tube(*to_world_, major_, minor_, point); }
   dvec3 normal(const ShapeHit&, const dvec3& point) const override { return normal_of_tube(*to_world_, major_, point); }
   dvec2 uv(const ShapeHit&, const dvec3& point) const override { return uv_of_tube(*to_world_, major_, point); }
 
@@ -136,11 +138,7 @@ class WindowedRing final : public ScannedShape<WindowedRing> {
   }
 
   Aabb bounds() const override { return ring_.bounds(); }
-  bool inside(const dvec3& point) const override {
-    const dvec3 p = to_world_->inverse_point(point);
-    const double g = std::hypot(p.x, p.z) - major_;
-    return g * g + p.y * p.y <= minor_ * minor_;
-  }
+  bool inside(const dvec3& point) const override { return inside_tube(*to_world_, major_, minor_, point); }
   dvec3 normal(const ShapeHit&, const dvec3& point) const override { return normal_of_tube(*to_world_, major_, point); }
   dvec2 uv(const ShapeHit&, const dvec3& point) const override { return uv_of_tube(*to_world_, major_, point); }
 

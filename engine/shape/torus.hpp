@@ -3,7 +3,7 @@
 //   torus { 1, 0.25 pigment { rgb <1, 0.5, 0> } }
 //
 // major: radius of the circle in the xz plane that the tube follows; minor: radius of the tube; sturm is accepted and changes
-// nothing. minor = 0, or a negative minor with a positive major, draws nothing. With minor > major the tube crosses itself; both
+// nothing. minor = 0 draws nothing; a negative minor with a positive major neither, but has its inside. With minor > major the tube crosses itself; both
 // surfaces are seen and the inner lemon is inside. With a negative major, as in POV-Ray, the tube of -major is seen by those rays
 // only that meet the smaller ring which the radii as written bound. (POV-Ray with `sturm` also loses the near part of that tube.)
 //

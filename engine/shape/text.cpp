@@ -35,10 +35,11 @@ class Lettering final : public ScannedShape<Lettering> {
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
     const Ray local = to_world_->inverse_ray(ray);
+    const double slack = slack_of(local);
     for (const GlyphOutline& glyph : glyphs_) {
-      const Interval within = box_crossing(local, glyph);
+      const Interval within = box_crossing(local, glyph, slack);
       if (within.empty() || within.lo > range.hi || within.hi < range.lo) continue;
-      if (scan_caps(glyph, local, sink) || scan_walls(glyph, local, within, sink)) return;
+      if (scan_caps(glyph, local, sink) || scan_walls(glyph, local, within, slack, sink)) return;
     }
   }
 
@@ -61,14 +62,14 @@ class Lettering final : public ScannedShape<Lettering> {
 
  private:
   // How far the line may be off its place by rounding, in ems.
-  static double slack(const Ray& ray) {
+  static double slack_of(const Ray& ray) {
     return 1e-9 * (1 + std::max({std::abs(ray.origin.x), std::abs(ray.origin.y), std::abs(ray.origin.z)}));
   }
 
   // Where the line passes the glyph's box, a little enlarged.
-  Interval box_crossing(const Ray& ray, const GlyphOutline& glyph) const {
-    const dvec3 lo = dvec3(glyph.lo, 0) - dvec3(slack(ray));
-    const dvec3 hi = dvec3(glyph.hi, depth_) + dvec3(slack(ray));
+  Interval box_crossing(const Ray& ray, const GlyphOutline& glyph, double slack) const {
+    const dvec3 lo = dvec3(glyph.lo, 0) - dvec3(slack);
+    const dvec3 hi = dvec3(glyph.hi, depth_) + dvec3(slack);
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     Interval line{-kInfinity, kInfinity};
     for (int axis = 0; axis < 3; ++axis) {
@@ -100,12 +101,12 @@ class Lettering final : public ScannedShape<Lettering> {
   }
 
   template <class Sink>
-  bool scan_walls(const GlyphOutline& glyph, const Ray& ray, Interval within, Sink& sink) const {
+  bool scan_walls(const GlyphOutline& glyph, const Ray& ray, Interval within, double slack, Sink& sink) const {
     const dvec2 o(ray.origin.x, ray.origin.y);
     const dvec2 d(ray.direction.x, ray.direction.y);
     if (glm::dot(d, d) <= kEpsilon * kEpsilon * glm::dot(ray.direction, ray.direction)) return false;
     const auto [low, high] = std::minmax({o.y + within.lo * d.y, o.y + within.hi * d.y});
-    const double bottom = low - slack(ray), top = high + slack(ray);
+    const double bottom = low - slack, top = high + slack;
     // Signed distance from the ray's line, up to a factor.
     const auto side = [&](const dvec2& p) { return d.x * (p.y - o.y) - d.y * (p.x - o.x); };
     for (const OutlinePiece& e : glyph.pieces) {

@@ -1,5 +1,5 @@
 // User functions: `function(x, y, z) { ... }`. A function is immutable once made and may be evaluated from any thread.
-// Results: 1 for a float function; 2 to 5 for spline, transform (3) and pigment (5: r, g, b, filter, transmit) functions.
+// Results: 1 for a float function; 2 to kMostResults for spline, transform (3) and pigment (5: r, g, b, filter, transmit) functions.
 // Source: specification chapters 10 §11 and 21 §11.
 #pragma once
 
@@ -17,6 +17,8 @@ struct Enclosure;  // engine/function/enclosure.hpp
 
 class Function {
  public:
+  static constexpr std::size_t kMostResults = 5;
+
   virtual ~Function() = default;
 
   int parameter_count() const { return parameters_; }

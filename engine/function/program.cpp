@@ -29,7 +29,7 @@ void Program::evaluate(const double* arguments, double* results) const {
       case Op::kAdd: r[now.target] = r[now.a] + r[now.b]; break;
       case Op::kSubtract: r[now.target] = r[now.a] - r[now.b]; break;
       case Op::kMultiply: r[now.target] = r[now.a] * r[now.b]; break;
-      case Op::kMultiplyAdd: r[now.target] = r[now.a] * r[now.b] + r[now.jump]; break;
+      case Op::kMultiplyAdd: r[now.target] = r[now.a] * r[now.b] + r[now.c]; break;
       case Op::kNegate: r[now.target] = -r[now.a]; break;
       case Op::kAbs: r[now.target] = std::fabs(r[now.a]); break;
       case Op::kSqrt: r[now.target] = std::sqrt(r[now.a]); break;
@@ -39,16 +39,16 @@ void Program::evaluate(const double* arguments, double* results) const {
       case Op::kBinary: r[now.target] = apply(static_cast<BinaryOp>(now.detail), r[now.a], r[now.b]); break;
       case Op::kMove: r[now.target] = r[now.a]; break;
       case Op::kCall: {
-        double out[5];  // no function has more results
+        double out[kMostResults];
         callees_[now.b]->evaluate(r + now.a, out);
         r[now.target] = out[now.detail];
         break;
       }
-      case Op::kJump: i = code + now.jump; break;
-      case Op::kJumpUnlessNegative: if (!(r[now.a] < 0)) i = code + now.jump; break;
-      case Op::kJumpUnlessZero: if (!(r[now.a] == 0)) i = code + now.jump; break;
-      case Op::kJumpUnlessLessEqual: if (!(r[now.a] <= r[now.b])) i = code + now.jump; break;
-      case Op::kEnterLoop: open_loops().enter(OpenLoops::turns_of(r[now.a], r[now.b], now.jump), now.jump); break;
+      case Op::kJump: i = code + now.c; break;
+      case Op::kJumpUnlessNegative: if (!(r[now.a] < 0)) i = code + now.c; break;
+      case Op::kJumpUnlessZero: if (!(r[now.a] == 0)) i = code + now.c; break;
+      case Op::kJumpUnlessLessEqual: if (!(r[now.a] <= r[now.b])) i = code + now.c; break;
+      case Op::kEnterLoop: open_loops().enter(OpenLoops::turns_of(r[now.a], r[now.b], now.c), now.c); break;
       case Op::kLeaveLoop: --open_loops().depth; break;
       case Op::kReturn: results[0] = r[result_]; return;
       default: __builtin_unreachable();  // spares a comparison for each instruction
@@ -140,7 +140,7 @@ class ProgramEmitter {
     program_.code_.push_back({op, 0, 0, a, b, 0});
     return program_.code_.size() - 1;
   }
-  void land(std::size_t jump_index) { program_.code_[jump_index].jump = static_cast<std::uint32_t>(program_.code_.size()); }
+  void land(std::size_t jump_index) { program_.code_[jump_index].c = static_cast<std::uint32_t>(program_.code_.size()); }
   Register multiply(Register a, Register b) {
     return push(Op::kMultiply, static_cast<std::uint8_t>(BinaryOp::kMultiply), a, b);
   }
@@ -211,7 +211,7 @@ class ProgramEmitter {
     const auto& factors = builder_.nodes_[product].inputs;
     const Register a = node(factors[0]), b = node(factors[1]), rest = node(other);
     const Register target = push(Op::kMultiplyAdd, detail, a, b);
-    program_.code_.back().jump = rest;
+    program_.code_.back().c = rest;
     return target;
   }
 
@@ -286,7 +286,7 @@ class ProgramEmitter {
     work_ += calls;
     if (calls < kMuch) return push(Op::kCall, data.detail, first, static_cast<Register>(data.index));
     const Register zero = constant_register(0);
-    program_.code_[jump(Op::kEnterLoop, zero, zero)].jump = static_cast<std::uint32_t>(std::min(calls, 4e9));
+    program_.code_[jump(Op::kEnterLoop, zero, zero)].c = static_cast<std::uint32_t>(std::min(calls, 4e9));
     const Register result = push(Op::kCall, data.detail, first, static_cast<Register>(data.index));
     jump(Op::kLeaveLoop);
     return result;

@@ -59,9 +59,9 @@ class Program final : public Function {
   enum class Op : std::uint8_t {
     kUnary, kBinary,
     kAdd, kSubtract, kMultiply, kNegate, kAbs, kSqrt, kSin, kCos,  // the commonest of these, each with `detail` as those have
-    kMultiplyAdd,  // a b + jump, which is a register here; rounded twice
+    kMultiplyAdd,  // a b + c, rounded twice
     kMove, kCall, kJump, kJumpUnlessNegative, kJumpUnlessZero, kJumpUnlessLessEqual,
-    kEnterLoop,  // from a to b, with `jump` calls
+    kEnterLoop,  // from a to b
     kLeaveLoop,
     kReturn  // the last one, and only that
   };
@@ -70,7 +70,7 @@ class Program final : public Function {
     std::uint8_t detail = 0;          // UnaryOp, BinaryOp, or the component of a call's result
     std::uint16_t target = 0;         // register
     std::uint16_t a = 0, b = 0;       // registers; of a call: first argument, callee
-    std::uint32_t jump = 0;           // instruction index
+    std::uint32_t c = 0;              // a jump's instruction; a third register; the calls of one turn of a loop
   };
 
   class Enclosing;

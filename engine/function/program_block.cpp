@@ -37,7 +37,7 @@ void Function::one_by_one(std::size_t count, std::size_t stride, const double* a
     point = many.data();
   }
   for (std::size_t i = 0; i < count; ++i) {
-    double out[5];  // no function has more results
+    double out[kMostResults];
     for (std::size_t k = 0; k < parameters; ++k) point[k] = arguments[k * stride + i];
     evaluate(point, out);
     for (std::size_t k = 0; k < of_each; ++k) results[k * stride + i] = out[k];
@@ -131,7 +131,7 @@ class Program::Block {
       case Op::kSubtract: arithmetic(i, [](auto& x, const auto& y) { x -= y; }); break;
       case Op::kMultiply: arithmetic(i, [](auto& x, const auto& y) { x *= y; }); break;
       case Op::kMultiplyAdd: {
-        const double* c = row(i.jump);
+        const double* c = row(i.c);
         arithmetic(i, [](auto& x, const auto& y) { x *= y; });
         each([&](std::size_t p) { target[p] += c[p]; });
         break;
@@ -150,14 +150,14 @@ class Program::Block {
         break;
       case Op::kMove: each([&](std::size_t p) { target[p] = a[p]; }); break;
       case Op::kCall: call(i); break;
-      case Op::kJump: return jump(i.jump);
-      case Op::kJumpUnlessNegative: return jump_unless(i.jump, next, [&](std::size_t p) { return a[p] < 0; });
-      case Op::kJumpUnlessZero: return jump_unless(i.jump, next, [&](std::size_t p) { return a[p] == 0; });
-      case Op::kJumpUnlessLessEqual: return jump_unless(i.jump, next, [&](std::size_t p) { return a[p] <= b[p]; });
+      case Op::kJump: return jump(i.c);
+      case Op::kJumpUnlessNegative: return jump_unless(i.c, next, [&](std::size_t p) { return a[p] < 0; });
+      case Op::kJumpUnlessZero: return jump_unless(i.c, next, [&](std::size_t p) { return a[p] == 0; });
+      case Op::kJumpUnlessLessEqual: return jump_unless(i.c, next, [&](std::size_t p) { return a[p] <= b[p]; });
       case Op::kEnterLoop: {
         double turns = 0;  // of the point with most: a bound for all of them
-        each([&](std::size_t p) { turns = std::max(turns, OpenLoops::turns_of(a[p], b[p], i.jump)); });
-        open_loops().enter(turns, i.jump);
+        each([&](std::size_t p) { turns = std::max(turns, OpenLoops::turns_of(a[p], b[p], i.c)); });
+        open_loops().enter(turns, i.c);
         break;
       }
       case Op::kLeaveLoop: --open_loops().depth; break;
@@ -170,7 +170,7 @@ class Program::Block {
   void call(const Instruction& i) {
     const Function& callee = *program_.callees_[i.b];
     const auto parameters = static_cast<std::size_t>(callee.parameter_count());
-    std::array<double, 5 * kBlock> out;  // no function has more results
+    std::array<double, kMostResults * kBlock> out;
     const double* arguments = row(i.a);
     std::vector<double> chosen;
     if (running_count_ != count_) {

@@ -30,28 +30,28 @@ class Program::Enclosing {
         case Op::kSubtract:
         case Op::kMultiply: r[i.target] = lute::enclose(static_cast<BinaryOp>(i.detail), r[i.a], r[i.b]); break;
         case Op::kMultiplyAdd:
-          r[i.target] = lute::enclose(BinaryOp::kAdd, lute::enclose(BinaryOp::kMultiply, r[i.a], r[i.b]), r[i.jump]);
+          r[i.target] = lute::enclose(BinaryOp::kAdd, lute::enclose(BinaryOp::kMultiply, r[i.a], r[i.b]), r[i.c]);
           break;
         case Op::kMove: r[i.target] = r[i.a]; break;
         case Op::kCall: {
-          Enclosure out[5];  // no function has more results
+          Enclosure out[kMostResults];
           if (!program_.callees_[i.b]->enclose(&r[i.a], out)) return false;
           r[i.target] = out[i.detail];
           break;
         }
-        case Op::kJump: pc = i.jump; break;
+        case Op::kJump: pc = i.c; break;
         case Op::kEnterLoop:
         case Op::kLeaveLoop: break;
         case Op::kReturn: result = r[program_.result_]; return true;
         default: {
           const Enclosure holds = condition(i, r);
           if (holds.is_point()) {
-            if (holds.lo == 0) pc = i.jump;
+            if (holds.lo == 0) pc = i.c;
             break;
           }
           std::vector<Enclosure> other = r;
           Enclosure a, b;
-          if (!run(pc, r, a) || !run(i.jump, other, b)) return false;
+          if (!run(pc, r, a) || !run(i.c, other, b)) return false;
           result = either(a, b);
           return true;
         }

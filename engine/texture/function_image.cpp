@@ -14,7 +14,7 @@ template <class Take>
 void sample(const Function& function, int width, int height, Take take) {
   constexpr int kAtOnce = 256;
   std::array<double, 3 * kAtOnce> arguments{};
-  std::array<double, 5 * kAtOnce> results{};
+  std::array<double, Function::kMostResults * kAtOnce> results{};
   const auto place = [](int i, int size) { return size > 1 ? static_cast<double>(i) / (size - 1) : 0.0; };
   for (int row = 0; row < height; ++row)
     for (int first = 0; first < width; first += kAtOnce) {

@@ -5,9 +5,9 @@
 
 namespace lute {
 
-ChildTree::ChildTree(std::vector<Aabb> ray_boxes, std::span<const Aabb> all_boxes, const std::vector<bool>& boxed)
-    : ray_boxes_(std::move(ray_boxes)), boxed_(boxed.begin(), boxed.end()) {
-  any_boxed_ = std::ranges::find(boxed, true) != boxed.end();
+ChildTree::ChildTree(std::vector<Aabb> ray_boxes, std::span<const Aabb> all_boxes, std::vector<char> boxed)
+    : ray_boxes_(std::move(ray_boxes)), boxed_(std::move(boxed)) {
+  any_boxed_ = std::ranges::find(boxed_, true) != boxed_.end();
   constexpr std::size_t kFewest = 8;  // below, a tree costs more than it saves
   std::vector<Aabb> finite(all_boxes.size());  // those left empty stay out of the tree
   std::size_t count = 0;

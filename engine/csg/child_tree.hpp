@@ -14,8 +14,8 @@ namespace lute {
 class ChildTree {
  public:
   // `ray_boxes`: where a ray has to pass to hit a child. `all_boxes`: where a point may be inside it, or a ray hit it.
-  // `boxed`: the child costs more than a test of its box.
-  ChildTree(std::vector<Aabb> ray_boxes, std::span<const Aabb> all_boxes, const std::vector<bool>& boxed);
+  // `boxed`: the child costs more than a test of its box. (Bytes: they are read faster than bits.)
+  ChildTree(std::vector<Aabb> ray_boxes, std::span<const Aabb> all_boxes, std::vector<char> boxed);
 
   // Mixes the order in which the children outside the tree are visited by around(): of many that may answer, one that does is then
   // found soon in the mean, however the children were declared.
@@ -64,7 +64,7 @@ class ChildTree {
 
  private:
   std::vector<Aabb> ray_boxes_;
-  std::vector<char> boxed_;  // bytes are read faster than bits
+  std::vector<char> boxed_;
   bool any_boxed_ = false;
   std::vector<std::uint32_t> everywhere_;  // not in the tree: unbounded, or too few for one
   Bvh tree_;

@@ -21,7 +21,8 @@ CsgSolid::CsgSolid(CsgKind kind, Children children, SharedSolids clips, SharedSo
     if (all_children_needed() && leaves_.back() != nullptr && leaf->limits_rays()) limits_.push_back(leaf);
   }
   opaque = std::ranges::all_of(children_, [](const auto& child) { return child->opaque; });
-  hides_children_ = !all_children_needed() && std::ranges::any_of(children_, [](const auto& child) { return child->visibility.restricts(); });
+  hides_children_ =
+      !all_children_needed() && std::ranges::any_of(children_, [](const auto& child) { return child->visibility.restricts(); });
 }
 
 ChildTree CsgSolid::set_boxes() {
@@ -39,7 +40,7 @@ ChildTree CsgSolid::set_boxes() {
     if (!all_children_needed() || (before.lo == inside_box.lo && before.hi == inside_box.hi)) break;
   }
   std::vector<Aabb> ray_boxes, all_boxes;
-  std::vector<bool> boxed;
+  std::vector<char> boxed;
   for (const auto& child : children_) {
     ray_boxes.push_back(child_hits_within(*child, all_children_needed() ? inside_box : clipped));
     box.join(ray_boxes.back());
@@ -56,7 +57,7 @@ ChildTree CsgSolid::set_boxes() {
     box = *limit;
     box_cuts_ = true;
   }
-  return ChildTree(std::move(ray_boxes), all_boxes, boxed);
+  return ChildTree(std::move(ray_boxes), all_boxes, std::move(boxed));
 }
 
 ChildTree CsgSolid::refusals() const {
@@ -64,7 +65,7 @@ ChildTree CsgSolid::refusals() const {
   if (all_children_needed())
     for (const auto& child : children_) boxes.push_back(child->outside_bounds());
   const std::size_t count = boxes.size();
-  ChildTree tree(boxes, boxes, std::vector<bool>(count, false));
+  ChildTree tree(boxes, boxes, std::vector<char>(count, false));
   if (remembers_refusals()) tree.mix_order();
   return tree;
 }

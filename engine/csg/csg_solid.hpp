@@ -80,9 +80,9 @@ class CsgSolid final : public Solid {
   bool nearest_in_union(const Ray& ray, Interval range, RayKind kind, Hit& hit) const;
 
   CsgKind kind_;
-  bool marks_;             // its mark overwrites that of inner combinations
+  bool marks_;                   // its mark overwrites that of inner combinations
   bool hides_children_ = false;  // from some kinds of rays
-  bool box_cuts_ = false;  // `box` came from the bounds and may be smaller than the content
+  bool box_cuts_ = false;        // `box` came from the bounds and may be smaller than the content
   Children children_;
   std::vector<const LeafSolid*> leaves_;  // the children that are unclipped leaves, most of them; null for the others
   std::vector<const LeafSolid*> limits_;  // of an intersection: those that narrow the range of a ray for all others

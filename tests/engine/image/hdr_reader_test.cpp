@@ -1,4 +1,5 @@
 #include "engine/image/hdr_reader.hpp"
+#include "tests/engine/image/linear_colors.hpp"
 #include "tests/temporary_path.hpp"
 
 #include <gmock/gmock.h>
@@ -9,8 +10,6 @@
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include "engine/image/image_file.hpp"
 
 namespace lute {
 namespace {
@@ -111,10 +110,7 @@ TEST_F(Hdr, BrokenFilesAreErrors) {
 TEST_F(Hdr, ImageIsLinearLightAndKeepsAlpha) {
   write("-Y 1 +X 1", "\x67\0\xB7\x80"s);
   ImageFiles files;
-  ImageFileOptions options;
-  options.for_colors = true;
-  options.working = GammaCurve::linear();
-  const ImagePtr image = files.load(path_, options, error_);
+  const ImagePtr image = files.load(path_, colors_in_linear_space(), error_);
   ASSERT_NE(image, nullptr) << error_;
   EXPECT_EQ(image->pixel(0, 0).rgb, Rgb(0.404296875f, 0.001953125f, 0.716796875f));
   EXPECT_FALSE(image->has_alpha());

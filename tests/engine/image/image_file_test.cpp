@@ -1,4 +1,5 @@
 #include "engine/image/image_file.hpp"
+#include "tests/engine/image/linear_colors.hpp"
 #include "tests/temporary_path.hpp"
 
 #include <gtest/gtest.h>
@@ -43,13 +44,6 @@ class ImageFile : public testing::Test {
   const std::filesystem::path folder_ = temporary_path("image_file");
   ImageFiles files_;
 };
-
-ImageFileOptions colors_in_linear_space() {
-  ImageFileOptions options;
-  options.for_colors = true;
-  options.working = GammaCurve::linear();
-  return options;
-}
 
 // Chapter 30 §7.9: grey files are brought back to 8 bits by truncation, which loses 1 for some codes.
 TEST_F(ImageFile, GreyPngLosesACodeHereAndThere) {

@@ -1,4 +1,5 @@
 #include "engine/image/tga_reader.hpp"
+#include "tests/engine/image/linear_colors.hpp"
 #include "tests/temporary_path.hpp"
 
 #include <gmock/gmock.h>
@@ -8,8 +9,6 @@
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include "engine/image/image_file.hpp"
 
 namespace lute {
 namespace {
@@ -158,10 +157,7 @@ TEST_F(Tga, BrokenFilesAreErrors) {
 TEST_F(Tga, ImageOfSixteenBitsIsDecodedLikeOneOfEight) {
   write(2, 16, {0x00, 0xfc}, 0x20, {}, 1, 1);
   ImageFiles files;
-  ImageFileOptions options;
-  options.for_colors = true;
-  options.working = GammaCurve::linear();
-  const ImagePtr image = files.load(path_, options, error_);
+  const ImagePtr image = files.load(path_, colors_in_linear_space(), error_);
   ASSERT_NE(image, nullptr) << error_;
   EXPECT_NEAR(65535 * image->pixel(0, 0).rgb.r, 61517, 1);
   EXPECT_EQ(image->pixel(0, 0).alpha, 1);

@@ -1,6 +1,5 @@
 #include "engine/shape/container.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

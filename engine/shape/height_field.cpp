@@ -95,7 +95,8 @@ class Landscape final : public ScannedShape<Landscape> {
     for (int level = std::min(coarsest, kFirstLevel);;) {
       const int square_x = x >> level, square_z = z >> level;
       const int border_x = (square_x + ahead_x) << level, border_z = (square_z + ahead_z) << level;
-      const double leave_x = along_z ? kNever : (border_x - o.x) * reciprocal.x, leave_z = along_x ? kNever : (border_z - o.z) * reciprocal.z;
+      const double leave_x = along_z ? kNever : (border_x - o.x) * reciprocal.x;
+      const double leave_z = along_x ? kNever : (border_z - o.z) * reciprocal.z;
       const double leave = std::min(std::min(leave_x, leave_z), range.hi);
       const double y0 = o.y + t * d.y, y1 = o.y + leave * d.y;
       const HeightPyramid::Range heights = pyramid_->range(level, square_x, square_z);

@@ -10,8 +10,8 @@
 // range of heights and radii.
 // uv: u turns about the axis, v runs along the profile (specification chapter 20 §3).
 // sturm is accepted and changes nothing: no root is lost without it.
-// Source: specification chapter 20 §5.12. The equation in w: J. J. van Wijk, Ray Tracing Objects Defined by Sweeping Planar Cubic Splines, 1984. Setting
-// it up in the lathe's middle, and the depth of flat rays from the radius, are own derivations, tested with random rays. Roots:
+// Source: specification chapter 20 §5.12. The equation in w: J. J. van Wijk, Ray Tracing Objects Defined by Sweeping Planar Cubic
+// Splines, 1984. Setting it up in the lathe's middle, and the depth of flat rays from the radius, are own derivations, tested with random rays. Roots:
 // root_walk.hpp.
 #pragma once
 

@@ -9,7 +9,8 @@
 //
 // Sides: one equation in the curve's parameter, of the spline's degree. Where sub-curves overlap, even and odd alternate.
 // sturm is accepted and changes nothing: no root is lost without it.
-// Source: specification chapter 20 §5.13. The equation of the sides: J. J. van Wijk, Ray Tracing Objects Defined by Sweeping Planar Cubic Splines, 1984.
+// Source: specification chapter 20 §5.13. The equation of the sides: J. J. van Wijk, Ray Tracing Objects Defined by Sweeping Planar
+// Cubic Splines, 1984.
 #pragma once
 
 #include <memory>

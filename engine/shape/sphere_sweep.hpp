@@ -8,8 +8,8 @@
 // Candidates are the whole spheres at the joints, the planes that close each segment, and the envelope of each segment, whose
 // parameters are roots of degree 2 or 10. Sorted, they are filtered by counting entries and exits. Inside: the point is on the
 // surface of one of a segment's spheres, so a point within all spheres of a short fat segment is outside; authors see that.
-// Source: specification chapter 20 §5.14. The envelope's parameters: J. J. van Wijk, Ray Tracing Objects Defined by Sweeping a Sphere, 1985; their roots:
-// certified_roots.hpp.
+// Source: specification chapter 20 §5.14. The envelope's parameters: J. J. van Wijk, Ray Tracing Objects Defined by Sweeping
+// a Sphere, 1985; their roots: certified_roots.hpp.
 #pragma once
 
 #include <cstdint>

@@ -17,7 +17,9 @@ constexpr double kOnSurface = 1e-10;
 // The exponent of a norm. Scenes like round numbers, 2 / 0.25 or 2 / 0.4: a whole power is a few products.
 class Exponent {
  public:
-  explicit Exponent(double q) : q_(q), inverse_(1 / q), whole_(q >= 1 && q <= kLargest && q == std::floor(q) ? static_cast<unsigned>(q) : 0) {}
+  explicit Exponent(double q) : q_(q), inverse_(1 / q) {
+    if (q >= 1 && q <= kLargest && q == std::floor(q)) whole_ = static_cast<unsigned>(q);
+  }
 
   double power(double base) const {  // base >= 0
     if (whole_ == 0) return std::pow(base, q_);
@@ -34,7 +36,7 @@ class Exponent {
  private:
   static constexpr double kLargest = 64;
   double q_, inverse_;
-  unsigned whole_;  // 0: not a whole number, or a large one
+  unsigned whole_ = 0;  // 0: not a whole number, or a large one
 };
 
 // (u^q + v^q)^(1/q) for u, v >= 0, with its derivatives by u and v.

@@ -126,7 +126,10 @@ TextureMapPtr parse_texture_map(Reader& reader, bool average) {
 
 void refuse_map(Reader& reader, Word map) {
   if (map == Word::kColorMap) reader.error("Cannot use color_map with this pattern type.");
-  const char* type = map == Word::kPigmentMap ? "pigment" : map == Word::kDensityMap ? "density" : map == Word::kTextureMap ? "pattern" : "normal";
+  const char* type = map == Word::kPigmentMap    ? "pigment"
+                     : map == Word::kDensityMap ? "density"
+                     : map == Word::kTextureMap ? "pattern"
+                                                : "normal";
   reader.error("Keyword '" + std::string(spelling(map)) + "' cannot be used with this " + type + " type.");
 }
 

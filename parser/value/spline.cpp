@@ -120,7 +120,8 @@ Enclosure Spline::enclose(const Enclosure& t, std::size_t k) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Enclosure result(kInfinity, -kInfinity, kInfinity, -kInfinity);
   const auto add = [&](const Enclosure& e) {
-    result = {std::min(result.lo, e.lo), std::max(result.hi, e.hi), std::min(result.slope_lo, e.slope_lo), std::max(result.slope_hi, e.slope_hi)};
+    result = {std::min(result.lo, e.lo), std::max(result.hi, e.hi), std::min(result.slope_lo, e.slope_lo),
+              std::max(result.slope_hi, e.slope_hi)};
   };
   if (!(t.lo > times_[first])) add(values_[first][k]);
   if (!(t.hi < times_[last])) add(values_[last][k]);

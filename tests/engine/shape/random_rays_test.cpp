@@ -209,7 +209,7 @@ TEST_P(EveryShape, TexturesShareAPointWhole) {
 
 TEST_P(EveryShape, IsTheSameAtEveryScale) {
   const ShapeCase& c = GetParam();
-  if (c.rounding_decides) GTEST_SKIP() << "its end is that of the ball around it";
+  if (c.rounding_decides) GTEST_SKIP() << "the rounding at the ball around it decides which rays meet it";
   for (const auto& turn : {turned(), squeezed(), sheared()}) {
     const Placed unit(c, 1, turn);
     for (const double scale : {1e-6, 1e6}) {

@@ -68,9 +68,9 @@ Color read_pixel(ByteReader& file, const Header& h) {
 void read_palette(ByteReader& file, const Header& h, TgaContent& content) {
   content.palette.resize(static_cast<std::size_t>(h.first_color));
   for (int i = 0; i < h.colors; ++i) {
-    const auto [bytes, channels] = read_color(file, h.color_bits);
-    const auto unit = [&](std::size_t c) { return static_cast<float>(bytes[c]) / 255.0f; };
-    content.palette.push_back({{unit(0), unit(1), unit(2)}, channels == 4 ? unit(3) : 1.0f});
+    const Color color = read_color(file, h.color_bits);
+    const auto unit = [&](std::size_t c) { return static_cast<float>(color.bytes[c]) / 255.0f; };
+    content.palette.push_back({{unit(0), unit(1), unit(2)}, color.channels == 4 ? unit(3) : 1.0f});
   }
 }
 

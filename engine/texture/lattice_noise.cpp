@@ -27,7 +27,7 @@ struct Lattice {
   std::uint32_t cell;
   double fraction;
   explicit HWY_INLINE Lattice(double c) {
-    const double shifted = c >= 0 ? c : c - (1 - kEpsilon);
+    const double shifted = c - (c < 0 ? 1 - kEpsilon : 0);
     std::int64_t i = 0;
     if (std::fabs(shifted) < kAllIntegers) {
       i = static_cast<std::int64_t>(shifted);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "engine/shape/julia_algebra.hpp"
+#include "engine/shape/quaternion_orbit.hpp"
 #include "engine/shape/scanned_shape.hpp"
 
 namespace lute {
@@ -16,6 +18,7 @@ using Algebra = JuliaFractal::Algebra;
 using Function = JuliaFractal::Function;
 
 constexpr double kFinest = 1e-7;  // bracket in which a hit is found
+constexpr double kReachMargin = 1 + 1e-9;
 
 // The iterates of one point; entries behind an escape are those of earlier points on the same ray, as the reference's normal sees
 // them.
@@ -45,68 +48,47 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     by_function_ = !quaternion_ && f_.function >= Function::kExp;
     const double ratio = f_.function == Function::kCube ? 3 : 2;
     for (std::size_t i = 0; i <= steps_; ++i) shares_.push_back(std::pow(ratio, -static_cast<double>(i)));
+    reach_ = reach();
+    // What leaves after the first step is at most as long as the image of the longest that does not.
+    const double most = 2 * std::log(std::pow(escape_, ratio / 2) + glm::length(f_.constant)) / least_step_;
+    for (std::size_t i = 0; i <= steps_; ++i)
+      steps_least_.push_back(i < 2 ? std::numeric_limits<double>::infinity() : std::pow(shares_[i] * most, 2) * (1 + 1e-9));
+    orbit_ = {f_.constant, f_.function == Function::kCube, steps_, escape_};
   }
 
   template <class Sink>
   void scan(const Ray& ray, Interval range, Sink&& sink) const {
-    Ray local = to_world_->inverse_ray(ray);
-    const double length = glm::length(local.direction);
-    local.direction /= length;
+    March march{to_world_->inverse_ray(ray)};
+    Ray& local = march.ray;
+    march.length = glm::length(local.direction);
+    local.direction /= march.length;
     const double b = -glm::dot(local.origin, local.direction);
-    const dvec3 apart = local.origin + b * local.direction;
+    const dvec3 apart = local.at(b);
     const double h = radius_ * radius_ - glm::dot(apart, apart);
     if (!(h > kEpsilon)) return;
-    const double end = b + std::sqrt(h);
-    if (end < kFinest) return;
-    double t = std::max(b - std::sqrt(h), kFinest);
-    // In local units; hits behind the range are not looked for.
-    const Interval wanted{range.lo * length, range.hi * length * (1 + 1e-9)};
-    if (t > wanted.hi) return;
-
-    thread_local Orbit orbit;
-    if (orbit.size() != steps_ + 1 || by_function_) orbit.assign(steps_ + 1, dvec4(0));
-    double step = 0;
-    bool inside = evaluate(local.at(t), local.direction, orbit, step);
-    if (inside) {
-      t += 2 * kFinest;
-      if (t > end) return;
-      inside = evaluate(local.at(t), local.direction, orbit, step);
-    }
-    for (;;) {
-      step = std::max(step, least_step_);
-      if (t > wanted.hi) return;
-      t += step;
-      if (t > end) return;
-      double next = 0;
-      if (evaluate(local.at(t), local.direction, orbit, next) == inside) {
-        step = next;
-        continue;
-      }
-      if (!depth_matters<Sink>() && t - step > wanted.lo && t < range.hi * length) {
-        sink((t - 0.5 * step) / length, 0);
-        return;
-      }
-      t = bracket(local, t - step, step, inside, orbit);
-      const double far = t + step;
-      const double hit = inside ? t : far;
-      // The normal of a function depends on what the array of iterates still holds; others are computed when they are asked for.
-      dvec3 kept = local.at(hit);
-      if (by_function_) {
-        escape_step(plain_start(kept), orbit);
-        kept = hypercomplex_normal(orbit, steps_);
-      }
-      if (sink(hit / length, 0, std::array<double, 3>{kept.x, kept.y, kept.z})) return;
-      inside = !inside;
-      t = far;
-      step = least_step_;
-    }
+    march.begin = std::max(b - std::sqrt(h), kFinest);
+    march.end = b + std::sqrt(h);
+    march.range = range;
+    march.wanted = {range.lo * march.length, range.hi * march.length * (1 + 1e-9)};
+    if (march.end < kFinest || march.begin > march.wanted.hi) return;
+    // Only points that begin within `reach_` stay.
+    const dvec4 nearest = start(apart), direction = along(local.direction);
+    const double per_depth = glm::dot(direction, direction), middle = -glm::dot(nearest, direction) / per_depth;
+    const dvec4 four_apart = nearest + middle * direction;
+    const double four_h = reach_ * reach_ - glm::dot(four_apart, four_apart);
+    if (!(four_h > 0)) return;
+    const double half = std::sqrt(four_h / per_depth);
+    march.outside_from = b + middle + half;
+    if (b + middle - half > march.wanted.hi) return;
+    if (quaternion_) return scan_line(QuaternionLine(*this, {orbit_, nearest, direction, b}), march, sink);
+    scan_line(OrbitLine(*this, local), march, sink);
   }
 
   Aabb bounds() const override {
     dvec3 reach;
+    const dmat3& linear = to_world_->linear;
     for (int axis = 0; axis < 3; ++axis)
-      reach[axis] =
-          radius_ * glm::length(dvec3(to_world_->linear[0][axis], to_world_->linear[1][axis], to_world_->linear[2][axis]));
+      reach[axis] = std::min(radius_, reach_) * glm::length(dvec3(linear[0][axis], linear[1][axis], linear[2][axis]));
     return {to_world_->translation - reach, to_world_->translation + reach};
   }
   bool inside(const dvec3& point) const override {
@@ -128,9 +110,127 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   }
 
  private:
-  dvec4 start(const dvec3& p) const {
-    return {p, (f_.slice_distance - glm::dot(dvec3(f_.slice), p)) / f_.slice.w};
+  // The part of a ray to look for hits in, in the fractal's space, where depths are `length` times those in the world.
+  struct March {
+    Ray ray;
+    double length = 1;
+    double begin = 0, end = 0;
+    double outside_from = 0;  // no point is inside from this depth on
+    Interval range{}, wanted{};  // in the world; in local units, hits behind are not looked for
+  };
+
+  dvec4 start(const dvec3& p) const { return {p, (f_.slice_distance - glm::dot(dvec3(f_.slice), p)) / f_.slice.w}; }
+  // How it changes along a direction.
+  dvec4 along(const dvec3& d) const { return {d, -glm::dot(dvec3(f_.slice), d) / f_.slice.w}; }
+
+  // A length that every starting point whose orbit stays is below: a longer one is followed by points that are longer than what escapes.
+  double reach() const {
+    if (quaternion_) return reach_of(std::sqrt(escape_), f_.function == Function::kCube ? 3 : 2, glm::length(f_.constant));
+    if (!squares_) return std::sqrt(escape_) * kReachMargin;
+    // Of two complex numbers, both: the mean of their squares may escape.
+    const ComplexPair c(f_.constant);
+    const double alone = std::sqrt(2 * escape_), a = reach_of(alone, 2, glm::length(c.a)), b = reach_of(alone, 2, glm::length(c.b));
+    return std::sqrt(0.5 * (a * a + b * b));
   }
+  double reach_of(double escape, double power, double constant) const {
+    double reach = escape, last = escape;
+    for (std::size_t i = 1; i < steps_; ++i) reach = std::min(reach, last = std::pow(last + constant, 1 / power));
+    return reach * kReachMargin;
+  }
+
+  // From step to step along a line through the fractal.
+  template <class Line, class Sink>
+  void scan_line(const Line& line, const March& march, Sink& sink) const {
+    double t = march.begin, step = 0;
+    if (t > march.outside_from) return;
+    bool inside = line.evaluate(t, step);
+    if (inside) {
+      t += 2 * kFinest;
+      if (t > march.end) return;
+      inside = line.evaluate(t, step);
+    }
+    for (;;) {
+      step = std::max(step, least_step_);
+      if (t > march.wanted.hi) return;
+      t += step;
+      if (t > march.end || (t > march.outside_from && !inside)) return;
+      double next = 0;
+      if (line.evaluate(t, next) == inside) {
+        step = next;
+        continue;
+      }
+      if (!depth_matters<Sink>() && t - step > march.wanted.lo && t < march.range.hi * march.length) {
+        sink((t - 0.5 * step) / march.length, 0);
+        return;
+      }
+      t = bracket(line, t - step, step, inside);
+      const double far = t + step;
+      const double hit = inside ? t : far;
+      const dvec3 kept = line.kept(march.ray.at(hit));
+      if (sink(hit / march.length, 0, std::array<double, 3>{kept.x, kept.y, kept.z})) return;
+      inside = !inside;
+      t = far;
+      step = least_step_;
+    }
+  }
+
+  // Halves [t, t + step], whose ends differ; returns the near end of the bracket, `step` becomes its length.
+  template <class Line>
+  static double bracket(const Line& line, double t, double& step, bool inside) {
+    while (step > kFinest) {
+      step *= 0.5;
+      if (line.stays(t + step) == inside) t += step;
+    }
+    return t;
+  }
+
+  class QuaternionLine {
+   public:
+    QuaternionLine(const JuliaSet& set, const QuaternionLengthsAlong& lengths) : set_(set), lengths_(lengths) {}
+    // Whether the point is inside; `step` becomes how far the ray may advance, if that is more than the least.
+    bool evaluate(double t, double& step) const {
+      double norm, product;
+      const std::size_t escaped = set_.orbit_.escape(lengths_.at(t), norm, product);
+      step = set_.least_step_;
+      if (escaped == 0) return true;
+      if (product > set_.steps_least_[escaped]) return false;
+      // The length of a product of quaternions is the product of their lengths.
+      step = set_.shares_[escaped] * std::log(norm) / std::sqrt(std::abs(product));
+      return false;
+    }
+    bool stays(double t) const { return set_.orbit_.stays(lengths_.at(t)); }
+    const dvec3& kept(const dvec3& hit) const { return hit; }
+
+   private:
+    const JuliaSet& set_;
+    QuaternionLengthsAlong lengths_;
+  };
+
+  // All others.
+  class OrbitLine {
+   public:
+    OrbitLine(const JuliaSet& set, const Ray& ray) : set_(set), ray_(ray), orbit_(orbit_of_thread()) {
+      if (orbit_.size() != set.steps_ + 1 || set.by_function_) orbit_.assign(set.steps_ + 1, dvec4(0));
+    }
+    bool evaluate(double t, double& step) const { return set_.evaluate(ray_.at(t), ray_.direction, orbit_, step); }
+    bool stays(double t) const { return set_.stays(ray_.at(t), orbit_); }
+    // The normal of a function depends on what the array of iterates still holds; others are computed when they are asked for.
+    dvec3 kept(const dvec3& hit) const {
+      if (!set_.by_function_) return hit;
+      set_.escape_step(set_.plain_start(hit), orbit_);
+      return set_.hypercomplex_normal(orbit_, set_.steps_);
+    }
+
+   private:
+    static Orbit& orbit_of_thread() {
+      thread_local Orbit orbit;
+      return orbit;
+    }
+    const JuliaSet& set_;
+    const Ray& ray_;
+    Orbit& orbit_;
+  };
+
   // The inside test of functions begins with y in the place of z (§7.3).
   dvec4 plain_start(const dvec3& p) const { return start(by_function_ ? dvec3(p.x, p.y, p.y) : p); }
 
@@ -157,32 +257,6 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     return escape_step_of(z, orbit, [this](const dvec4& q) { return hypercomplex_function(f_.function, f_.exponent, q); });
   }
 
-  // The same for quaternions, without a record of the orbit: the step, and the product of the squared lengths of what came before it.
-  std::size_t quaternion_escape(const dvec4& z, double& norm, double& product) const {
-    return f_.function == Function::kCube ? quaternion_escape_of<true>(z, norm, product) : quaternion_escape_of<false>(z, norm, product);
-  }
-  template <bool kCube>
-  std::size_t quaternion_escape_of(const dvec4& start, double& norm, double& product) const {
-    const dvec4 c = f_.constant;
-    const double escape = escape_;
-    double x = start.x, y = start.y, z = start.z, w = start.w, lengths = 1;
-    for (std::size_t i = 1; i <= steps_; ++i) {
-      const double d = y * y + z * z + w * w, x2 = x * x, size = x2 + d;
-      if (size > escape) {
-        norm = size;
-        product = lengths;
-        return i;
-      }
-      lengths *= size;
-      const double k = kCube ? 3 * x2 - d : 2 * x;
-      x = (kCube ? x * (x2 - 3 * d) : x2 - d) + c.x;
-      y = k * y + c.y;
-      z = k * z + c.z;
-      w = k * w + c.w;
-    }
-    return 0;
-  }
-
   // The same for squares of hypercomplex numbers, each taken apart into two complex numbers that do not meet; `along` is the
   // direction whose slope, half of that of the squared length there, is wanted.
   template <bool kWithSlope>
@@ -205,20 +279,13 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
 
   // The plain inside test of a point.
   bool stays(const dvec3& p, Orbit& orbit) const {
-    double norm, product;
+    double norm;
     if (squares_) return squares_escape<false>(ComplexPair(start(p)), norm) == 0;
-    return quaternion_ ? quaternion_escape(start(p), norm, product) == 0 : escape_step(plain_start(p), orbit) == 0;
+    return quaternion_ ? orbit_.stays(orbit_.lengths(start(p))) : escape_step(plain_start(p), orbit) == 0;
   }
 
-  // Whether the point is inside; `step` becomes how far the ray may advance.
+  // Whether the point is inside; `step` becomes how far the ray may advance. Not for quaternions.
   bool evaluate(const dvec3& p, const dvec3& direction, Orbit& orbit, double& step) const {
-    if (quaternion_) {
-      // The length of a product of quaternions is the product of their lengths.
-      double norm, product;
-      const std::size_t escaped = quaternion_escape(start(p), norm, product);
-      step = escaped == 0 ? least_step_ : shares_[escaped] * std::log(norm) / std::sqrt(product);
-      return escaped == 0;
-    }
     step = least_step_;
     double norm, slope;
     if (squares_) {
@@ -234,35 +301,21 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
     return false;
   }
 
-  // Halves [t, t + step], whose ends differ; returns the near end of the bracket, `step` becomes its length.
-  double bracket(const Ray& ray, double t, double& step, bool inside, Orbit& orbit) const {
-    while (step > kFinest) {
-      step *= 0.5;
-      if (stays(ray.at(t + step), orbit) == inside) t += step;
-    }
-    return t;
-  }
-
+  // The gradient of the last squared length, by the transposed derivatives of the map from the last to the first.
   dvec3 quaternion_normal(const Orbit& orbit) const {
-    dvec3 n;
-    for (int axis = 0; axis < 3; ++axis) {
-      dvec4 v(0);
-      v[axis] = 1;
-      for (std::size_t j = 0; j < steps_; ++j) v = f_.function == Function::kCube ? cube_slope(orbit[j], v) : square_slope(orbit[j], v);
-      n[axis] = glm::dot(v, orbit[steps_]);
-    }
-    return n;
+    dvec4 v = orbit[steps_];
+    const bool cube = f_.function == Function::kCube;
+    for (std::size_t j = steps_; j-- > 0;) v = cube ? turned_cube_slope(orbit[j], v) : turned_square_slope(orbit[j], v);
+    return dvec3(v);
   }
-
-  static dvec4 square_slope(const dvec4& z, const dvec4& v) {
-    return {v.x * z.x - v.y * z.y - v.z * z.z - v.w * z.w, v.x * z.y + v.y * z.x, v.x * z.z + v.z * z.x, v.x * z.w + v.w * z.x};
+  static dvec4 turned_square_slope(const dvec4& z, const dvec4& v) {
+    return {v.x * z.x + v.y * z.y + v.z * z.z + v.w * z.w, v.y * z.x - v.x * z.y, v.z * z.x - v.x * z.z, v.w * z.x - v.x * z.w};
   }
-  static dvec4 cube_slope(const dvec4& z, const dvec4& v) {
-    const double d = z.y * z.y + z.z * z.z + z.w * z.w;
-    const double tau = 2 * (v.y * z.y + v.z * z.z + v.w * z.w);
-    const double tau2 = 6 * z.x * v.x - tau;
-    const double k = 3 * z.x * z.x - d;
-    return {3 * ((z.x * z.x - d) * v.x - z.x * tau), v.y * k + z.y * tau2, v.z * k + z.z * tau2, v.w * k + z.w * tau2};
+  static dvec4 turned_cube_slope(const dvec4& z, const dvec4& v) {
+    const double d = z.y * z.y + z.z * z.z + z.w * z.w, x2 = z.x * z.x;
+    const double met = v.y * z.y + v.z * z.z + v.w * z.w;
+    const double k = 3 * x2 - d, back = 6 * z.x * v.x + 2 * met;
+    return {3 * (x2 - d) * v.x + 6 * z.x * met, v.y * k - z.y * back, v.z * k - z.z * back, v.w * k - z.w * back};
   }
 
   dvec4 other_slope(const dvec4& z) const {
@@ -287,8 +340,11 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   std::size_t steps_;
   double least_step_;
   std::vector<double> shares_;  // [i]: 2⁻ⁱ or 3⁻ⁱ
+  std::vector<double> steps_least_;  // [i]: of quaternions that leave before step i, products of lengths above this have the least step
   double radius_ = 2, escape_ = 4;
+  double reach_ = 2;  // starting points that are longer leave
   bool quaternion_ = true, squares_ = false, by_function_ = false;
+  QuaternionOrbit orbit_{dvec4(0), false, 0, 0};
   SharedTransform to_world_;
 };
 

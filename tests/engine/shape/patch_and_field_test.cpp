@@ -232,6 +232,37 @@ TEST(JuliaFractal, InsideOfHypercomplexSquaresAgreesWithTheProductWrittenOut) {
   EXPECT_GT(inside, 100);
 }
 
+// Orbits of quaternions are three numbers; here the products of chapter 21 §7.2, written out, in a slice that is oblique to all axes.
+TEST(JuliaFractal, InsideOfQuaternionsAgreesWithTheProductWrittenOut) {
+  for (const Function function : {Function::kSqr, Function::kCube}) {
+    const dvec4 c(-.2, .3, -.35, .1);
+    JuliaFractal fractal = julia(c, Algebra::kQuaternion, function, 6, 30);
+    fractal.slice = glm::normalize(dvec4(.1, .3, .2, 1));
+    fractal.slice_distance = .1;
+    const auto shape = make(fractal);
+    const double radius = 1 + glm::length(c);
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> unit(-1.5, 1.5);
+    int inside = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const dvec3 p(unit(random), unit(random), unit(random));
+      dvec4 z(p, (fractal.slice_distance - glm::dot(dvec3(fractal.slice), p)) / fractal.slice.w);
+      bool stays = true;
+      for (int k = 0; k < 6 && stays; ++k) {
+        stays = glm::dot(z, z) <= radius * radius;
+        const dvec3 v(z.y, z.z, z.w);
+        const double d = glm::dot(v, v);
+        const dvec4 square(z.x * z.x - d, 2 * z.x * v);
+        const dvec4 cube(z.x * square.x - glm::dot(v, dvec3(square.y, square.z, square.w)), z.x * 2 * z.x * v + square.x * v);
+        z = (function == Function::kSqr ? square : cube) + c;
+      }
+      ASSERT_EQ(shape->inside(p), stays) << "point " << i;
+      inside += stays;
+    }
+    EXPECT_GT(inside, 100);
+  }
+}
+
 // Check case 11.
 TEST(JuliaFractal, Inside) {
   const auto shape = make(julia({-0.083, 0, -0.83, -0.025}, Algebra::kQuaternion, Function::kSqr, 8, 15));

@@ -68,7 +68,6 @@ struct PrismSegment {
   PlanarSegment curve;
   Interval x, z;
   dvec2 from, to;
-  Roots<2> turns;  // where z turns within the segment
   std::array<dvec2, 4> controls;  // the segment lies in the hull of these: its Bézier points
 
   // The least and the largest k.x x + k.y z + k.z in the hull, a little widened.
@@ -89,6 +88,38 @@ struct PrismSegment {
     const double dx = ray.direction.x, dz = ray.direction.z, level = dx * dx + dz * dz;
     const Interval along = range_of({dx, dz, -(dx * ray.origin.x + dz * ray.origin.z)});
     return along.lo > depths.hi * level || along.hi < depths.lo * level;
+  }
+};
+
+// A part of a segment over which neither coordinate turns.
+struct MonotonePart {
+  PlanarSegment curve;
+  double begin, end;
+  dvec2 from, to;
+
+  // Whether a line of constant z, between those of the ends, crosses it at x or beyond.
+  bool crosses_beyond(double x, double z) const {
+    if (x <= std::min(from.x, to.x)) return true;
+    if (x > std::max(from.x, to.x)) return false;
+    const bool straight = curve.a == dvec2(0) && curve.b == dvec2(0);
+    if (straight) return curve.at((z - curve.d.y) / curve.c.y).x >= x;
+    // Halved until all that is left lies on one side of x: where on the curve is not asked.
+    double near = begin, far = end, near_x = from.x, far_x = to.x;
+    const bool above = from.y > z;
+    for (;;) {
+      const double middle = 0.5 * (near + far);
+      if (!(near < middle && middle < far)) return far_x >= x;
+      const dvec2 at = curve.at(middle);
+      if ((at.y > z) == above) {
+        near = middle;
+        near_x = at.x;
+      } else {
+        far = middle;
+        far_x = at.x;
+      }
+      if (x <= std::min(near_x, far_x)) return true;
+      if (x > std::max(near_x, far_x)) return false;
+    }
   }
 };
 
@@ -118,15 +149,14 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     degree_ = prism.spline == PlanarSpline::kLinear ? 1 : prism.spline == PlanarSpline::kQuadratic ? 2 : 3;
     x_ = z_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const PlanarSegment& curve : prism_outline(prism).segments) {
-      segments_.push_back({curve, curve.range(0), curve.range(1), curve.at(0), curve.at(1), {}, {}});
-      const std::array<double, 4> z = curve.coefficients(1);
-      const std::array<double, 4> control_x = bezier_points(curve.coefficients(0)), control_z = bezier_points(z);
+      segments_.push_back({curve, curve.range(0), curve.range(1), curve.at(0), curve.at(1), {}});
+      const std::array<double, 4> control_x = bezier_points(curve.coefficients(0)), control_z = bezier_points(curve.coefficients(1));
       for (std::size_t i = 0; i < 4; ++i) segments_.back().controls[i] = {control_x[i], control_z[i]};
-      if (degree_ > 1) segments_.back().turns = solve_quadratic({z[1], 2 * z[2], 3 * z[3]}, {0, 1});
       x_ = {std::min(x_.lo, segments_.back().x.lo), std::max(x_.hi, segments_.back().x.hi)};
       z_ = {std::min(z_.lo, segments_.back().z.lo), std::max(z_.hi, segments_.back().z.hi)};
     }
     join_corners();
+    for (const PrismSegment& segment : segments_) add_parts(segment);
     box_ = local_box();
     const dvec3 slack = 1e-9 * (box_.hi - box_.lo);
     box_ = {box_.lo - slack, box_.hi + slack};
@@ -254,28 +284,30 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     return std::abs(height) > kEpsilon && in_outline(x / height, z / height);
   }
 
-  // Even-odd rule. A crossing is counted where a monotone stretch of the outline passes from above z to not above it, so that an
+  void add_parts(const PrismSegment& segment) {
+    std::vector<double> borders{0, 1};
+    if (degree_ > 1)
+      for (int axis = 0; axis < 2; ++axis) {
+        const std::array<double, 4> c = segment.curve.coefficients(axis);
+        for (const double turn : solve_quadratic({c[1], 2 * c[2], 3 * c[3]}, {0, 1})) borders.push_back(turn);
+      }
+    std::sort(borders.begin(), borders.end());
+    // Straight segments share their corners, to the last bit.
+    dvec2 from = degree_ == 1 ? segment.from : segment.curve.at(0);
+    for (std::size_t i = 1; i < borders.size(); ++i) {
+      const dvec2 to = degree_ == 1 ? segment.to : segment.curve.at(borders[i]);
+      parts_.push_back({segment.curve, borders[i - 1], borders[i], from, to});
+      from = to;
+    }
+  }
+
+  // Even-odd rule. A crossing is counted where a monotone part of the outline passes from above z to not above it, so that an
   // outline which only touches the line z, or has a corner on it, is counted right.
   bool in_outline(double x, double z) const {
     if (!x_.contains(x) || !z_.contains(z)) return false;
     bool odd = false;
-    for (const PrismSegment& segment : segments_) {
-      if (!segment.z.contains(z) || x > segment.x.hi) continue;
-      std::array<double, 4> c = segment.curve.coefficients(1);
-      c[0] -= z;
-      double from = 0;
-      const auto cross_until = [&](double to) {
-        const bool above_from = ((c[3] * from + c[2]) * from + c[1]) * from + c[0] > 0;
-        const bool above_to = to == 1 ? segment.curve.at(1).y > z : ((c[3] * to + c[2]) * to + c[1]) * to + c[0] > 0;
-        if (above_from != above_to) {
-          const Roots<3> roots = solve_cubic(c, {from, to});
-          odd ^= segment.curve.at(roots.count > 0 ? roots.t[0] : to).x >= x;
-        }
-        from = to;
-      };
-      for (const double turn : segment.turns) cross_until(turn);
-      cross_until(1);
-    }
+    for (const MonotonePart& part : parts_)
+      if ((part.from.y > z) != (part.to.y > z)) odd ^= part.crosses_beyond(x, z);
     return odd;
   }
 
@@ -339,6 +371,7 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
   Roots<3> roots_of(const std::array<double, 4>& c) const { return solve_cubic(c, kSegment); }
 
   std::vector<PrismSegment> segments_;
+  std::vector<MonotonePart> parts_;  // of all of them
   int degree_ = 1;
   bool conic_, open_;
   double low_, high_;

@@ -70,17 +70,17 @@ class HalfSpace final : public ScannedShape<HalfSpace> {
   bool finds_bounds_fast() const override { return true; }
   bool limits_rays() const override { return true; }
   bool limit(const Ray& ray, bool inverted, Interval& range) const override {
-    const double sign = inverted ? -1 : 1, slope = sign * glm::dot(normal_, ray.direction);
+    const dvec3& o = ray.origin;
+    const double slope = glm::dot(normal_, ray.direction), below = distance_ - glm::dot(normal_, o);
     // Where slopes are smaller, the rounding of a point far out exceeds the margin.
     constexpr double kLeastSlope = 1e-6, kMargin = 1e-9;
     if (std::abs(slope) < kLeastSlope) return true;
-    const dvec3 far = glm::abs(ray.origin);
-    const double margin = tolerance_ + kMargin * (std::abs(distance_) + far.x + far.y + far.z);
-    const double t = (sign * (distance_ - glm::dot(normal_, ray.origin)) + margin) / slope;
-    if (slope > 0) {
-      range.hi = std::min(range.hi, t);
+    const double margin = tolerance_ + kMargin * (std::abs(distance_) + std::abs(o.x) + std::abs(o.y) + std::abs(o.z));
+    const double t = (inverted ? below - margin : below + margin) / slope;
+    if ((slope > 0) != inverted) {
+      if (t < range.hi) range.hi = t;
     } else {
-      range.lo = std::max(range.lo, t);
+      if (t > range.lo) range.lo = t;
     }
     return range.lo <= range.hi;
   }

@@ -1,5 +1,7 @@
 // Shapes and combinations. Source: specification chapter 20 §6-7.
 #include <algorithm>
+#include <iterator>
+#include <ranges>
 
 #include "engine/build/scene_builder.hpp"
 
@@ -107,24 +109,22 @@ std::unique_ptr<Solid> SceneBuilder::leaf(const Object& object, const Context& o
 
 std::unique_ptr<Solid> SceneBuilder::combination(const Object& object, const Csg& csg, const Context& own) {
   const CsgKind kind = kind_of(csg, own.inverted);
-  Parts parts = children(object, csg, own);
+  SolidList parts = children(object, csg, own);
   Visibility visibility = own.visibility;
   // A union of nothing but no_shadow parts casts none as a whole (§6.6).
-  if (kind == CsgKind::kUnion && !parts.solids.empty())
+  if (kind == CsgKind::kUnion && !parts.empty())
     visibility.no_shadow =
-        visibility.no_shadow || std::ranges::all_of(parts.solids, [](const auto& part) { return part->visibility.no_shadow; });
+        visibility.no_shadow || std::ranges::all_of(parts, [](const auto& part) { return part->visibility.no_shadow; });
   Limits limit = limits(object, own);
-  if (parts.family_count == 1) parts.families.clear();
-  auto built = std::make_unique<CsgSolid>(kind, std::move(parts.solids), std::move(limit.clips), std::move(limit.bounds),
-                                          std::move(parts.families));
+  auto built = std::make_unique<CsgSolid>(kind, std::move(parts), std::move(limit.clips), std::move(limit.bounds));
   built->visibility = visibility;
   return built;
 }
 
-SceneBuilder::Parts SceneBuilder::children(const Object& object, const Csg& csg, const Context& own) {
+SceneBuilder::SolidList SceneBuilder::children(const Object& object, const Csg& csg, const Context& own) {
   const Context down = context_for_children(object, csg, own);
   const CsgKind kind = kind_of(csg, own.inverted);
-  Parts parts;
+  SolidList parts;
   for (std::size_t i = 0; i < csg.children.size(); ++i) {
     const Object& child = *csg.children[i];
     Context parent = down;
@@ -136,7 +136,7 @@ SceneBuilder::Parts SceneBuilder::children(const Object& object, const Csg& csg,
 
 // An intersection in an intersection is dissolved: a hit is asked once for each part, not once for each part and level. In reverse,
 // since among hits of equal depths the order turns around at every level. Cut surfaces that lack a texture ask the levels, so these stay.
-void SceneBuilder::add_part(const Object& object, const Context& own, CsgKind outer, Parts& parts) {
+void SceneBuilder::add_part(const Object& object, const Context& own, CsgKind outer, SolidList& parts) {
   if (const LightSource* light = object.light()) {
     if (!geometry_only_) add_light(*light, own);
     const Object* const form = light->looks_like.get();  // a light counts as that
@@ -147,16 +147,11 @@ void SceneBuilder::add_part(const Object& object, const Context& own, CsgKind ou
   const bool dissolved = csg != nullptr && all_children_needed(outer) && all_children_needed(kind_of(*csg, own.inverted)) &&
                          !has_limits(object) && !own.cutaway;
   if (!dissolved) {
-    parts.solids.push_back(solid(object, own, false));
-    parts.families.push_back(0);
+    parts.push_back(solid(object, own, false));
     return;
   }
-  Parts inner = children(object, *csg, own);  // none, if it is nothing but lights: every point is inside
-  for (std::size_t i = inner.solids.size(); i-- > 0;) {
-    parts.solids.push_back(std::move(inner.solids[i]));
-    parts.families.push_back(parts.family_count + inner.families[i]);
-  }
-  parts.family_count += inner.family_count;
+  SolidList inner = children(object, *csg, own);  // none, if it is nothing but lights: every point is inside
+  std::ranges::move(inner | std::views::reverse, std::back_inserter(parts));
 }
 
 SceneBuilder::Context SceneBuilder::context_for_children(const Object&, const Csg& csg, const Context& own) {

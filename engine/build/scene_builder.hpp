@@ -90,13 +90,8 @@ class SceneBuilder {
   std::unique_ptr<Solid> solid(const Object& object, const Context& own, bool top_level);
   std::unique_ptr<Solid> leaf(const Object& object, const Context& own, bool top_level);
   std::unique_ptr<Solid> combination(const Object& object, const Csg& csg, const Context& own);
-  struct Parts {  // of a combination
-    SolidList solids;
-    std::vector<std::uint32_t> families;  // see CsgSolid
-    std::uint32_t family_count = 1;
-  };
-  Parts children(const Object& object, const Csg& csg, const Context& own);
-  void add_part(const Object& object, const Context& own, CsgKind outer, Parts& parts);
+  SolidList children(const Object& object, const Csg& csg, const Context& own);
+  void add_part(const Object& object, const Context& own, CsgKind outer, SolidList& parts);
   Context context_for_children(const Object& object, const Csg& csg, const Context& own);
   bool dissolves(const Object& object, const Csg& csg, const Context& own) const;
   struct Limits {

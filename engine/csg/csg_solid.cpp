@@ -6,13 +6,12 @@
 
 namespace lute {
 
-CsgSolid::CsgSolid(CsgKind kind, Children children, SharedSolids clips, SharedSolids bounds, std::vector<std::uint32_t> families)
+CsgSolid::CsgSolid(CsgKind kind, Children children, SharedSolids clips, SharedSolids bounds)
     : kind_(kind),
       marks_(kind != CsgKind::kUnion || !clips.empty()),
       children_(std::move(children)),
       clips_(std::move(clips)),
       bounds_(std::move(bounds)),
-      families_(std::move(families)),
       tree_(set_boxes()),
       refusals_(refusals()) {
   for (const auto& child : children_) {
@@ -143,8 +142,7 @@ bool CsgSolid::limit(const Ray& ray, Interval& range) const {
 }
 
 // Whether child `i` removes a hit of `child`: in an intersection it must be inside of all others, in a merge inside of none. Of two
-// equal spheres that cut, or limit, one wall stays: their surface is inside of neither. (Where one of them was declared in an inner
-// combination, it was asked as a whole, and the wall goes.)
+// equal spheres that cut, or limit, one wall stays: their surface is inside of neither.
 bool CsgSolid::refuses(std::size_t i, std::size_t child, const dvec3& point, RayKind kind) const {
   if (i == child) return false;
   if (!all_children_needed()) {
@@ -152,7 +150,7 @@ bool CsgSolid::refuses(std::size_t i, std::size_t child, const dvec3& point, Ray
     return other.may_contain(point) && child_visible(other, kind) && inside_child(i, point);
   }
   if (inside_child(i, point)) return false;
-  if (leaves_[i] == nullptr || leaves_[child] == nullptr || !one_family(i, child)) return true;
+  if (leaves_[i] == nullptr || leaves_[child] == nullptr) return true;
   return !leaves_[i]->shares_side(*leaves_[child], point);
 }
 

@@ -34,9 +34,8 @@ class CsgSolid final : public Solid {
   using CutawayShares = std::vector<std::pair<const Leaf*, double>>;
 
   // Hits are marked with the outermost combination (unions mark only when clipped), so that surfaces which cutaway_textures left
-  // without a texture can ask it for theirs. `families`: for each child the number of the combination that it was declared in, if some
-  // came out of one that is gone; empty if all were declared in this.
-  CsgSolid(CsgKind kind, Children children, SharedSolids clips = {}, SharedSolids bounds = {}, std::vector<std::uint32_t> families = {});
+  // without a texture can ask it for theirs.
+  CsgSolid(CsgKind kind, Children children, SharedSolids clips = {}, SharedSolids bounds = {});
 
   CsgKind kind() const { return kind_; }
   const Children& children() const { return children_; }
@@ -58,7 +57,6 @@ class CsgSolid final : public Solid {
 
  private:
   bool all_children_needed() const { return lute::all_children_needed(kind_); }
-  bool one_family(std::size_t a, std::size_t b) const { return families_.empty() || families_[a] == families_[b]; }
   // Asking a few children costs no more than remembering which of them refused.
   bool remembers_refusals() const { return children_.size() > 8; }
   bool child_visible(const Solid& child, RayKind kind) const;
@@ -87,7 +85,6 @@ class CsgSolid final : public Solid {
   std::vector<const LeafSolid*> leaves_;  // the children that are unclipped leaves, most of them; null for the others
   std::vector<const LeafSolid*> limits_;  // of an intersection: those that narrow the range of a ray for all others
   SharedSolids clips_, bounds_;
-  std::vector<std::uint32_t> families_;
   ChildTree tree_;
   ChildTree refusals_;  // of an intersection: the children that may not have a point inside; of many cutters few
 };

@@ -26,11 +26,8 @@ SceneBuilder::Context SceneBuilder::resolve(const Object& object, const Context&
 
   const Csg* csg = object.csg();
   if (csg != nullptr) own.cutaway |= csg->cutaway_textures;
-  if (csg != nullptr && csg->operation == CsgOperation::kLightGroup) {
-    own.global_lights = parent.light_group >= 0 && parent.global_lights;
-    own.light_group = open_light_group(parent.light_group);
-  }
-  if (object.extras->global_lights) own.global_lights = *object.extras->global_lights;
+  own.declared |= object.declared;
+  if (csg != nullptr && csg->operation == CsgOperation::kLightGroup) enter_light_group(object, *csg, parent, own);
 
   if (object.light() != nullptr) {
     pass_textures(object, parent, own);

@@ -50,7 +50,7 @@ struct BuiltRainbow {
 };
 
 struct LightGroup {
-  std::vector<const BuiltLight*> lights;  // own ones, then those of the enclosing groups
+  std::vector<const BuiltLight*> lights;
 };
 
 struct ShadingSettings {

@@ -93,7 +93,8 @@ std::unique_ptr<Solid> SceneBuilder::leaf(const Object& object, const Context& o
   leaf.inverted = own.inverted;
   leaf.double_illuminate = own.double_illuminate;
   leaf.interior = own.interior;
-  leaf.light_group = own.light_group;
+  const bool joins_groups = own.group_member && shape.get_if<Text>() == nullptr;
+  leaf.light_group = joins_groups ? own.member_group : own.light_group;
   leaf.global_lights = own.global_lights;
   if (!geometry_only_) dress(object, own, leaf);
 
@@ -198,12 +199,10 @@ void SceneBuilder::add_container(const Solid& solid, const Context& own) {
 }
 
 void SceneBuilder::finish() {
-  // An outer group comes before the inner ones in the list, so it has already received what is further out.
-  for (std::size_t group = 0; group < built_.light_groups.size(); ++group) {
-    if (outer_groups_[group] < 0) continue;
-    const auto outer = built_.light_groups[static_cast<std::size_t>(outer_groups_[group])].lights;
-    auto& own = built_.light_groups[group].lights;
-    own.insert(own.end(), outer.begin(), outer.end());
+  const auto lights = [&](int group) -> auto& { return built_.light_groups[static_cast<std::size_t>(group)].lights; };
+  for (const JoinedGroup& joined : joined_groups_) {
+    lights(joined.whole) = lights(joined.inner);
+    std::ranges::copy(lights(joined.outer), std::back_inserter(lights(joined.whole)));
   }
   built_.tree = std::make_unique<SceneTree>(std::span<const std::unique_ptr<Solid>>(built_.solids));
 }

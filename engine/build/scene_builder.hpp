@@ -46,7 +46,7 @@ class SceneBuilder {
   // The same without looks: for questions about geometry alone.
   void add_geometry(const ObjectPtr& object);
 
-  // After the last object: lights of enclosing groups are handed to the inner ones, the tree is built.
+  // After the last object: lights of groups are joined, the tree is built.
   void finish();
 
  private:
@@ -68,7 +68,11 @@ class SceneBuilder {
     bool double_illuminate = false;
     bool inverted = false;          // inverted as a whole
     std::optional<bool> hollow;     // of the outermost object that gives it
-    int light_group = -1;
+    bool declared = false;          // here or above
+    bool in_light_group = false;
+    int light_group = -1;           // whose lights light it: an index into the built scene's groups; -1: none
+    int member_group = -1;          // the same of the shapes that are direct members of the light_group
+    int form_group = -1;            // the same of what the direct members look like
     bool global_lights = true;
     bool group_member = false;      // a direct member of light_group: its lights are local
   };
@@ -103,7 +107,8 @@ class SceneBuilder {
   // light_builder.cpp
   void add_light(const LightSource& light, const Context& own);
   static Context context_for_form(const Context& of_light);  // of what the light looks like
-  int open_light_group(int outer);
+  void enter_light_group(const Object& object, const Csg& group, const Context& parent, Context& own);
+  int open_light_group();
 
   BuiltScene& built_;
   BuildOptions options_;
@@ -112,7 +117,10 @@ class SceneBuilder {
   // Made first: the address of a description that went must not be that of another one.
   const TexturePtr built_in_texture_ = built_in_texture();
   TexturePtr default_texture_;       // of the statement being built; null: the built-in one
-  std::vector<int> outer_groups_;    // enclosing group of each light group; -1: none
+  struct JoinedGroup {               // a light group that has the lights of two others
+    int whole, inner, outer;
+  };
+  std::vector<JoinedGroup> joined_groups_;
   std::map<const Interior*, Shared<InteriorProperties>> interior_properties_;  // of descriptions that are built
   bool hierarchy_used_ = true;
   bool containers_kept_ = false;

@@ -67,6 +67,7 @@ struct Object {
   bool inverse : 1 = false;
   bool no_shadow : 1 = false, no_image : 1 = false, no_reflection : 1 = false, no_radiosity : 1 = false;
   bool double_illuminate : 1 = false;
+  bool declared : 1 = false;  // combinations: was given a name, so that what stands in the scene is a copy
 
   SourceLocation where;
 

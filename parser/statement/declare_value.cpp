@@ -29,6 +29,13 @@ std::shared_ptr<const T> shared(T value) {
   return std::make_shared<const T>(std::move(value));
 }
 
+ObjectPtr as_declared(ObjectPtr object) {
+  if (object->csg() == nullptr) return object;
+  auto marked = std::make_shared<Object>(*object);
+  marked->declared = true;
+  return marked;
+}
+
 void add_texture_parts(DeclareValues& values) {
   values[Word::kTexture] = [](Reader& reader) -> Value { return Value(parse_texture_layers(reader)); };
   values[Word::kPigment] = after_keyword([](Reader& r) { return parse_pigment(r, statements_of(r).defaults().pigment); });
@@ -67,7 +74,7 @@ void add_surroundings(DeclareValues& values) {
 DeclareValues make_declare_values() {
   DeclareValues values;
   for (const Word word : object_words())
-    values[word] = [](Reader& reader) -> Value { return Value(*accept_object(reader)); };
+    values[word] = [](Reader& reader) -> Value { return Value(as_declared(*accept_object(reader))); };
   add_texture_parts(values);
   add_maps(values);
   add_surroundings(values);

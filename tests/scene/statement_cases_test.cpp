@@ -141,6 +141,11 @@ std::vector<Case> camera_and_light_cases() {
   const std::string h = head();
   const std::string group = h + "light_source{-10*z rgb x} light_group{light_source{-10*z rgb y} plane{z,0 pigment{rgb 1} "
                                 "finish{diffuse 1 emission 0}} ";
+  // Nested groups, red inside of green inside of blue; all numbers from POV-Ray.
+  const std::string wall = "plane{z,0 pigment{rgb 1} finish{diffuse 1 emission 0}} ";
+  const auto lit = [](const std::string& axis) { return "light_source{-10*z rgb " + axis + "} "; };
+  const std::string inner = "light_group{" + lit("x") + wall;
+  const std::string named = h + "#declare G=" + inner + "} ";
   const std::string plain = "camera{location -5*z right 2*x up 1.5*y look_at 0} plane{z,0 pigment{rgb .5} finish{ambient 1 diffuse 0}}";
   return {
       {"13", stripes("camera{location <0,0,-5> angle 90 right x*2 up y*1.5 look_at 0}"), 4, 3, rows({49, 158, 212, 251})},
@@ -155,6 +160,17 @@ std::vector<Case> camera_and_light_cases() {
       {"20", group + "}", 1, 1, {0, 255, 0}},
       {"20Global", group + "global_lights}", 1, 1, {255, 255, 0}},
       {"20Half", group + "global_lights .5}", 1, 1, {0, 255, 0}},
+      {"20InPlace", h + "light_group{" + lit("y") + inner + "}}", 1, 1, {255, 0, 0}},
+      {"20InnerWithoutLights", h + "light_group{" + lit("z") + "light_group{" + lit("y") + "light_group{" + wall + "}}}", 1, 1, {0, 255, 0}},
+      {"20Declared", named + "light_group{" + lit("y") + "object{G}}", 1, 1, {255, 255, 0}},
+      {"20DeclaredAbove", h + "#declare G=union{light_group{" + lit("y") + inner + "}} sphere{50,1}} object{G}", 1, 1, {255, 255, 0}},
+      {"20DeclaredInTwo", named + "light_group{" + lit("z") + "light_group{" + lit("y") + "object{G}}}", 1, 1, {255, 255, 0}},
+      {"20DeclaredUnion", h + "#declare G=light_group{" + lit("x") + "union{" + wall + "sphere{50,1}}} light_group{" + lit("y") + "object{G}}",
+       1, 1, {255, 0, 0}},
+      {"20LooksLike", h + "light_group{" + lit("y") + "light_group{light_source{-10*z rgb x looks_like{" + wall + "translate 10*z}}}}", 1, 1,
+       {0, 255, 0}},
+      {"20GlobalOfInner", h + lit("z") + "light_group{" + lit("y") + inner + "global_lights}}", 1, 1, {255, 0, 0}},
+      {"20GlobalOfOuter", h + lit("z") + "light_group{" + lit("y") + inner + "global_lights off} global_lights}", 1, 1, {255, 0, 255}},
       {"25", h + "background{rgbt<1,1,0,.5>}", 1, 1, {188, 188, 0}},
       {"25Old", "#version 3.6; global_settings{assumed_gamma 1} background{rgbt<1,1,0,.5>}", 1, 1, {255, 255, 0}},
       {"25Float", h + "background{1}", 1, 1, {0, 0, 0}},

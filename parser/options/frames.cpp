@@ -37,6 +37,8 @@ std::string without_extension(const std::string& name) {
   return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
 }
 
+// The number of the frame, as long as that of the last one. A number beyond it keeps all its digits; POV-Ray lets the
+// further ones take the place of the name's last letters, and of the folder's slash.
 std::string frame_suffix(const RenderOptions& options, const Frame& frame) {
   if (!is_animated(options)) return "";
   std::string digits = std::to_string(frame.number);

@@ -118,5 +118,15 @@ TEST(OutputPath, CarriesTheFrameNumber) {
   EXPECT_EQ(path(cyclic, "", 9), "scenes/s09.png");
 }
 
+// +EF goes beyond Final_Frame. POV-Ray keeps the length of the name: +Oanim +KFF9 +SF98 +EF101 writes ani98, ani99, an100,
+// an101, and the folder's slash is lost in time (+Oout/b gives out100.png). A number must not cost the name its letters.
+TEST(OutputPath, NumbersLongerThanFinalFrameLeaveTheNameWhole) {
+  EXPECT_EQ(path(animation(9), "anim", 9), "anim9.png");
+  EXPECT_EQ(path(animation(9), "anim", 10), "anim10.png");
+  EXPECT_EQ(path(animation(9), "anim", 100), "anim100.png");
+  EXPECT_EQ(path(animation(9), "out/b", 100), "out/b100.png");
+  EXPECT_EQ(path(animation(12), "", 120), "scenes/s120.png");
+}
+
 }  // namespace
 }  // namespace lute

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "engine/image/color.hpp"
 #include "engine/image/image.hpp"
 #include "engine/math/vec.hpp"
 
@@ -42,33 +43,58 @@ inline int inner_index(int i, int size, bool once) {
   return i >= 0 && i < size ? i : ((i % size) + size) % size;
 }
 
-// Weighs the pixels around a position. `fetch(column, row)` yields the value of a pixel inside the image: a float, a double or a Color.
+// The sum of weighted pixels, in double precision; colours are rounded to single precision once, at the end, as in the reference.
+template <class Value>
+class PixelSum;
+template <>
+class PixelSum<double> {
+ public:
+  void add(double value, double weight) { sum_ += value * weight; }
+  double value() const { return sum_; }
+
+ private:
+  double sum_ = 0;
+};
+template <>
+class PixelSum<Color> {
+ public:
+  void add(const Color& c, double weight) {
+    const float parts[] = {c.rgb.r, c.rgb.g, c.rgb.b, c.filter, c.transmit};
+    for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += static_cast<double>(parts[i]) * weight;
+  }
+  Color value() const {
+    const auto part = [&](std::size_t i) { return static_cast<float>(sum_[i]); };
+    return {{part(0), part(1), part(2)}, part(3), part(4)};
+  }
+
+ private:
+  std::array<double, 5> sum_{};
+};
+
+// Weighs the pixels around a position. `fetch(column, row)` yields the value of a pixel inside the image: a double or a Color.
 template <class Fetch>
 auto interpolate_pixels(const ImageMapping& mapping, const dvec2& position, const Fetch& fetch) {
   const int width = mapping.image->width(), height = mapping.image->height();
   const auto at = [&](int i, int j) { return fetch(inner_index(i, width, mapping.once), inner_index(j, height, mapping.once)); };
-  using Value = decltype(fetch(0, 0));
   if (mapping.interpolate < 2) return at(static_cast<int>(position.x), static_cast<int>(position.y));
   const double u = position.x + 0.5, v = position.y + 0.5;
   const int i = static_cast<int>(u), j = static_cast<int>(v);
   const double p = u - i, q = v - j;
-  // Colours and heights are weighed in single precision, numbers of textures in double.
-  using Weight = std::conditional_t<std::is_same_v<Value, double>, double, float>;
-  Value sum{};
+  PixelSum<decltype(fetch(0, 0))> sum;
   if (mapping.interpolate == 3) {
     const auto wx = bicubic_weights(p), wy = bicubic_weights(q);
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b < 4; ++b)
-        sum += at(i - 2 + a, j - 2 + b) * static_cast<Weight>(wx[static_cast<std::size_t>(a)] * wy[static_cast<std::size_t>(b)]);
-    return sum;
+        sum.add(at(i - 2 + a, j - 2 + b), wx[static_cast<std::size_t>(a)] * wy[static_cast<std::size_t>(b)]);
+    return sum.value();
   }
   std::array<double, 4> w{p * q, (1 - p) * q, p * (1 - q), (1 - p) * (1 - q)};
   if (mapping.interpolate == 4) w = distance_weights(p, q);
-  sum += at(i, j) * static_cast<Weight>(w[0]);
-  sum += at(i - 1, j) * static_cast<Weight>(w[1]);
-  sum += at(i, j - 1) * static_cast<Weight>(w[2]);
-  sum += at(i - 1, j - 1) * static_cast<Weight>(w[3]);
-  return sum;
+  sum.add(at(i, j), w[0]);
+  sum.add(at(i - 1, j), w[1]);
+  sum.add(at(i, j - 1), w[2]);
+  sum.add(at(i - 1, j - 1), w[3]);
+  return sum.value();
 }
 
 }  // namespace lute

@@ -7,9 +7,10 @@ namespace {
 
 double height(const ImageMapping& mapping, const dvec2& position) {
   const Image& image = *mapping.image;
-  return static_cast<double>(interpolate_pixels(mapping, position, [&](int column, int row) {
-    return mapping.use_index && image.is_palette() ? static_cast<float>(image.index(column, row)) : grey(image.pixel(column, row).rgb);
-  }));
+  if (mapping.use_index && image.is_palette())
+    return interpolate_pixels(mapping, position, [&](int column, int row) { return static_cast<double>(image.index(column, row)); });
+  const Color mean = interpolate_pixels(mapping, position, [&](int column, int row) { return Color{image.pixel(column, row).rgb}; });
+  return static_cast<double>(grey(mean.rgb));
 }
 
 }  // namespace

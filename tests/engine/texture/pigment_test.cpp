@@ -126,6 +126,16 @@ TEST(ImageMap, InterpolatesLikeTheReference) {  // C10, C11, C12
   expect_row(image_map(4, false), -1, {.7579, .8645, .1355, .2421});
 }
 
+// The red of POV-Ray at <-1.43, 0>, <-0.43, 0.3>, <0.57, 0.6>, <1.57, 0.9>, printed with twelve digits.
+TEST(ImageMap, WeighsLikeTheReferenceToTheLastBit) {
+  const float expected[3][4] = {{.785333335400f, .843999981880f, .043999999762f, .252000004053f},
+                                {.839745342731f, .904389858246f, .018425088376f, .221993863583f},
+                                {.787244737148f, .858799576759f, .003777638078f, .271303266287f}};
+  for (int kind = 2; kind <= 4; ++kind)
+    for (int i = 0; i < 4; ++i)
+      EXPECT_EQ(color_at(image_map(kind, false), i - 1.43, 0.3 * i).rgb.r, expected[kind - 2][i]) << kind << ' ' << i;
+}
+
 // Measured with the reference: 16 bits of the integer count, of values that 32 bits hold.
 TEST(FunctionImage, ValuesOutsideWrapAround) {
   class Constant final : public Function {

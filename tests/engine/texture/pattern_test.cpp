@@ -148,6 +148,33 @@ TEST(Pattern, FractalsEqualTheReference) {
   EXPECT_NEAR(value_at(body_of(magnet), {0.3, 0.4, 0}), 0.310569642390, 1e-11);
 }
 
+// At the border of a fractal the last bit decides. Printed by the reference with 20 digits.
+TEST(Pattern, FractalsEqualTheReferenceToTheLastBit) {
+  const auto expect_bits = [](auto fractal, double factor, const double (&expected)[3]) {
+    fractal.iterations = 30;
+    fractal.exterior_type = 6;
+    fractal.exterior_factor = factor;
+    fractal.interior_type = 1;
+    fractal.interior_factor = 1;
+    PatternBody body = body_of(fractal);
+    body.frequency = 0;
+    const dvec3 places[3] = {{0.9, 0.4, 0}, {-0.7, 0.8, 0}, {0.3, -1.1, 0}};
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(value_at(body, places[i]), expected[i]) << i;
+  };
+  Julia julia;
+  julia.c = {-0.2, 0.6};
+  julia.exponent = 3;
+  expect_bits(julia, 0.1, {0.29166532222595037416, 0.36681245255221439638, 0.20646065000382038401});
+  julia.exponent = 4;
+  expect_bits(julia, 0.1, {0.62823148191537503404, 0.82771180078371608957, 0.21685617353444200384});
+  Magnet magnet;
+  magnet.julia = dvec2(0.2, 0.3);
+  magnet.type = 1;
+  expect_bits(magnet, 1e-5, {0.40918269575771271107, 0.11371119133574005000, 0.26908006193078998214});
+  magnet.type = 2;
+  expect_bits(magnet, 1e-5, {9.995408576940282622505692e-6, 0.16851932813390330113, 0.57269842345085131274});
+}
+
 TEST(Pattern, QuiltedControlsAndNegativeIntegers) {
   Quilted quilted;
   quilted.control0 = 0.2f;

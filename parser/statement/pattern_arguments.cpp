@@ -1,5 +1,6 @@
 #include "parser/statement/pattern_arguments.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "parser/statement/object.hpp"
@@ -16,7 +17,8 @@ float real(Reader& reader) { return static_cast<float>(reader.number()); }
 
 void parse_arguments(Reader& reader, Gradient& pattern, ParsedPattern&) {
   const dvec3 direction = reader.vector();
-  const double length = glm::length(direction);
+  double length = glm::length(direction);
+  if (!(length > 1e-150 && length < 1e150)) length = std::hypot(direction.x, direction.y, direction.z);  // whose squares are 0 or infinite
   pattern.direction = length > 0 ? direction / length : direction;
 }
 

@@ -212,9 +212,10 @@ std::vector<Case> surroundings_cases() {
   const std::string ground = "fog{fog_type 2 distance 1 fog_alt .5 fog_offset .5 rgb <0,.5,1>} ";
   const std::string lamp = "camera{orthographic location 0 direction z right x*.01 up y*.01} box{<-9,-9,5>,<9,9,6> pigment{rgb 1} "
                            "finish{ambient 0 diffuse 1}} fog{distance 10 rgb 0} light_source{0, rgb 1 ";
-  const std::string bow = "camera{direction vrotate(z,-30*x) right x*.0001 up y*.0001} sphere{0,50 hollow pigment{rgb <.1,.2,.3>} "
-                          "finish{ambient 1 diffuse 0}} rainbow{angle 30 width 20 distance 100 direction z up y "
-                          "color_map{[0 rgbft <1,.5,.25,.3,.2>][1 rgbft <1,.5,.25,.3,.2>]}}";
+  const std::string bow = "#ifndef(Turn) #declare Turn = 0; #end camera{direction vrotate(vrotate(z,-30*x),Turn*z) right x*.0001 up "
+                          "y*.0001} sphere{0,50 hollow pigment{rgb <.1,.2,.3>} finish{ambient 1 diffuse 0}} "
+                          "rainbow{angle 30 width 20 distance 100 direction z up y "
+                          "color_map{[0 rgbft <1,.5,.25,.3,.2>][1 rgbft <1,.5,.25,.3,.2>]} ";
   const std::string clear = "CAM(0) background{rgbft <.4,.8,.4,.3,.5>} plane{-z,0 pigment{rgbft <1,.5,.25,.5,.2>} finish{ambient 1 diffuse "
                             "0}}";
   const std::string part = "{sphere{0,1 no_image} ";
@@ -232,7 +233,8 @@ std::vector<Case> surroundings_cases() {
       {"22", lamp + "}", .60653f, .60653f, .60653f},
       {"22Attenuation", lamp + "media_attenuation on}", .36788f, .36788f, .36788f},
       {"22NoInteraction", lamp + "media_attenuation on media_interaction off}", .60653f, .60653f, .60653f},
-      {"23", bow, .45412f, .31089f, .26423f},
+      {"23", bow + "}", .45412f, .31089f, .26423f},
+      {"23Arc", "#declare Turn = 75;" + bow + "arc_angle 160 falloff_angle 80}", .13094f, .20932f, .29604f},
       {"24Union", "CAM(0) BG() union" + part + "sphere{9,1}" + glow, .2f, .4f, .8f},
       {"24Whole", "CAM(0) BG() union" + part + "sphere{9,1} split_union off" + glow, 1, 1, 1},
       {"24Merge", "CAM(0) BG() merge" + part + "sphere{9,1}" + glow, .2f, .4f, .8f},

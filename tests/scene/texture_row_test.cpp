@@ -63,6 +63,9 @@ const std::string kLamp = "light_source { -10*z rgb 1 parallel point_at 0 }";
 const std::array<Rgb, 4> kFilmColors{Rgb(.4256f, .1611f, .0969f), Rgb(.8010f, .6601f, .6102f), Rgb(.9473f, .9060f, .8903f),
                                      Rgb(.7692f, .6099f, .5545f)};
 
+const std::string kLit = "#default { finish { ambient 0 diffuse 1 } } plane { z, 0 ";
+const std::string kRough = "pigment { rgb .2 } normal { granite .1 scale .4 }";
+
 std::vector<Row> rows() {
   const Rgb cyan(0, 1, 1), black(0.0f);
   return {
@@ -75,6 +78,23 @@ std::vector<Row> rows() {
       // The film's thickness is disturbed in the world's space, whatever moves or maps the texture.
       {"FilmOfMovedObject", kLamp + "plane { z, 0 pigment { rgb 1 } " + kFilm + " translate x }", kFilmColors},
       {"FilmOfMappedObject", kLamp + "box { <-3, -3, 0>, 3 uv_mapping pigment { rgb 1 } " + kFilm + " }", kFilmColors},
+      // Chapter 50 §16 C7: slope sees the normal that the layer's own normal has made.
+      {"SlopeSeesThePerturbedNormal", "plane { z, 0 pigment { slope { -z, 0, 1 } } normal { bumps .5 } }",
+       {Rgb(.96452f), Rgb(.95270f), Rgb(.96043f), Rgb(.94115f)}},
+      // A texture with a pattern and without bump scale is lit by a normal as long as its transformation has made it: scale .5, twice as
+      // bright. Without bump scale on the layer or its normal alone it is a unit.
+      {"LitByTheLengthWithoutBumpScale", kLamp + kLit + "texture { gradient x texture_map { [0 " + kRough + "] } no_bump_scale scale .5 } }",
+       {Rgb(.3921f), Rgb(.3949f), Rgb(.3982f), Rgb(.3844f)}},
+      {"LitByAUnitWithBumpScale", kLamp + kLit + "texture { gradient x texture_map { [0 " + kRough + "] } scale .5 } }",
+       {Rgb(.1999f), Rgb(.1999f), Rgb(.2000f), Rgb(.1995f)}},
+      {"LitByAUnitWithoutBumpScaleOfTheNormal",
+       kLamp + kLit + "texture { gradient x texture_map { [0 pigment { rgb .2 } normal { granite .1 no_bump_scale scale .4 }] } scale .5 } }",
+       {Rgb(.1993f), Rgb(.1994f), Rgb(.1998f), Rgb(.1975f)}},
+      {"LitByAUnitWithoutBumpScaleOfALayer", kLamp + kLit + "pigment { rgb .5 } normal { granite .2 no_bump_scale scale .5 } }",
+       {Rgb(.4902f), Rgb(.4971f), Rgb(.4959f), Rgb(.4908f)}},
+      // Our own: the square of such a length is 0, and POV-Ray's picture black.
+      {"GradientOfTheTiniestDirection", "plane { z, 0 pigment { gradient <1e-200, 0, 0> scale 4 translate -2*x } }",
+       {Rgb(.125f), Rgb(.375f), Rgb(.625f), Rgb(.875f)}},
       {"MandelColors", "plane { z, 0 pigment { mandel 20 } }", {cyan, cyan, cyan, black}},
       {"MandelOfOtherExponentIsGrey", "plane { z, 0 pigment { mandel 20 exponent 3 } }", {black, Rgb(.2f), Rgb(.2f), black}},
   };

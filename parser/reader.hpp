@@ -25,7 +25,8 @@ struct Item {
   std::uint32_t file = 0;  // where token.offset counts
   Slot slot;               // kIdentifier: the value it names (never empty for a declared name)
   const Token* source = nullptr;  // the token in its file; of an array element the array's name
-  std::uint8_t subscripts = 0;    // of an array element: how many were read
+  std::uint16_t subscripts = 0;   // of an array element: how many were read
+  std::uint8_t depth = 0;         // arrays in each other that its value lies in: 1 for an element of a variable
 
   bool is(TokenKind kind) const { return token.kind == kind; }
   bool is(Word word) const { return token.kind == TokenKind::kWord && token.word == word; }

@@ -86,7 +86,7 @@ void run_if(Session& session) {
 bool is_defined(Session& session) {
   const Item name = session.stream.take_raw();
   if (!name.is(TokenKind::kIdentifier)) return false;  // whatever it is: also a number or a string
-  const WrittenElement element = written_element(session, *name.slot);
+  const WrittenElement element = written_element(session, name);
   return element.array ? element.array->elements.has_value(element.index) : !name.slot->empty();
 }
 

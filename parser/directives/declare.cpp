@@ -34,7 +34,7 @@ ParsedValue parse_identifier_value(Session& session, ValueUse use) {
   const Slot& slot = item.slot;
   if (slot->empty()) fail_unset(session, item, use);
   if (slot->holds<Number>()) {
-    if (use == ValueUse::kArgument && stream.ends_argument()) return {slot, true, true};
+    if (use == ValueUse::kArgument && stream.ends_argument()) return {slot, true, true, item.depth};
     stream.put_back(item);
     return new_value(numeric_value(session, use), true);
   }
@@ -44,7 +44,7 @@ ParsedValue parse_identifier_value(Session& session, ValueUse use) {
     stream.put_back(item);
     return new_value(numeric_value(session, use), true);
   }
-  if (use == ValueUse::kArgument && !slot->holds<FunctionPtr>()) return {slot, true, false};
+  if (use == ValueUse::kArgument && !slot->holds<FunctionPtr>()) return {slot, true, false, item.depth};
   session.resources.charge(size_of_copy(*slot));
   return new_value(copy(*slot));
 }
@@ -92,9 +92,10 @@ void check_element_type(Session& session, const Array& array, const Value& value
 
 constexpr int kMostArrayNesting = 100;
 
-int nesting(const Value& value) {
-  const ArrayPtr* array = value.get_if<ArrayPtr>();
-  return array == nullptr ? 0 : (*array)->nesting;
+// Each value is one of its own when it is assigned, so that its arrays can be counted; those around it are told. So arrays are never
+// deeper than the limit, and going through them needs no other.
+void check_nesting(Session& session, const Value& value, int depth) {
+  if (depth + array_nesting(value) > kMostArrayNesting) session.fail("Arrays are nested too deeply.", "limit-nesting");
 }
 
 void refuse_redeclaration(Session& session) {
@@ -106,15 +107,14 @@ void round_color(Value& value) {
   if (const Number* number = value.get_if<Number>(); number != nullptr && number->count == 5) value = Number(number->color());
 }
 
-void set_element(Session& session, Array& array, std::size_t index, Value value) {
+void set_element(Session& session, Array& array, std::size_t index, Value value, int depth) {
   const std::size_t type = type_code(value);
   if (array.type != type) {
     if (array.type != 0) check_element_type(session, array, value);
     array.type = type;
     array.type_name = type_name(value);
   }
-  array.nesting = std::max(array.nesting, nesting(value) + 1);
-  if (array.nesting > kMostArrayNesting) session.fail("Arrays are nested too deeply.", "limit-nesting");
+  check_nesting(session, value, depth);
   const Value* const old = array.elements.find_value(index);
   if (old != nullptr && old->holds<FunctionPtr>()) refuse_redeclaration(session);
   round_color(value);
@@ -136,7 +136,7 @@ void parse_initialiser(Session& session, Array& array, std::size_t dimension, st
       parse_initialiser(session, array, dimension + 1, position);
     } else {
       ParsedValue value = parse_value(session, ValueUse::kElement);
-      set_element(session, array, position++, std::move(*value.slot));
+      set_element(session, array, position++, std::move(*value.slot), 1);
     }
     reader.comma();
   }
@@ -171,7 +171,7 @@ Value parse_array(Session& session) {
   return array;
 }
 
-std::size_t select_element(Session& session, const Array& array, std::uint8_t& subscripts) {
+std::size_t select_element(Session& session, const Array& array, std::uint16_t& subscripts) {
   TokenStream& stream = session.stream;
   const TokenStream::Aside aside(stream, true);
   std::size_t index = 0;
@@ -188,19 +188,22 @@ std::size_t select_element(Session& session, const Array& array, std::uint8_t& s
   return index;
 }
 
-WrittenElement written_element(Session& session, const Value& value) {
+WrittenElement written_element(Session& session, const Item& name) {
   WrittenElement element;
-  const Value* next = &value;
-  std::uint8_t subscripts = 0;
+  element.depth = name.depth;
+  const Value* next = name.slot.get();
+  std::uint16_t subscripts = 0;
   while (next != nullptr && next->holds<ArrayPtr>() && session.stream.at_written(TokenKind::kLeftSquare)) {
     element.array = *next->get_if<ArrayPtr>();
     element.index = select_element(session, *element.array, subscripts);
+    ++element.depth;
     next = element.array->elements.find_value(element.index);
   }
   return element;
 }
 
-void assign(Session& session, Value& target, Value value) {
+void assign(Session& session, Value& target, Value value, int depth) {
+  check_nesting(session, value, depth);
   if (target.holds<FunctionPtr>()) refuse_redeclaration(session);
   round_color(value);
   target = std::move(value);
@@ -289,19 +292,19 @@ DeclareTarget read_target(Session& session, const Item& name, bool local) {
     target.table = known != nullptr ? known->table : 0;
   }
   if (undeclared) return target;
-  target.element = written_element(session, *name.slot);
+  target.element = written_element(session, name);
   return target;
 }
 
 void store(Session& session, const DeclareTarget& target, Slot value, std::shared_ptr<Deprecation> deprecation) {
   if (target.element.array) {
-    set_element(session, *target.element.array, target.element.index, std::move(*value));
+    set_element(session, *target.element.array, target.element.index, std::move(*value), target.element.depth);
     return;
   }
   const std::uint32_t table = std::min(target.table, session.symbols.newest());  // the value may have ended the scope
   SymbolTable::Entry* entry = session.symbols.find_in(target.id, table);
   if (entry != nullptr) {
-    assign(session, *entry->slot, std::move(*value));
+    assign(session, *entry->slot, std::move(*value), entry->depth);
   } else {
     Value fresh;
     assign(session, fresh, std::move(*value));
@@ -347,7 +350,7 @@ void run_undef(Session& session) {
     return;
   }
   if (!name.is(TokenKind::kIdentifier)) session.fail_expected("undeclared identifier", name);
-  if (const WrittenElement element = written_element(session, *name.slot); element.array) {
+  if (const WrittenElement element = written_element(session, name); element.array) {
     if (!element.array->elements.has_value(element.index)) {
       session.fail_at("Attempt to access uninitialized array element.", "uninitialized", name);
     }

@@ -41,25 +41,28 @@ void run_version(Session& session);
 // declare.cpp
 void run_declare(Session& session, bool local);
 void run_undef(Session& session);
-void assign(Session& session, Value& target, Value value);  // to a variable
+// To a variable, or to the array element that a macro parameter stands for: `depth` arrays in each other are around it.
+void assign(Session& session, Value& target, Value value, int depth = 0);
 // What may stand on the right of `=` in #declare, as a macro argument (`argument`: lone identifiers are passed by reference), or
 // as an array element.
 struct ParsedValue {
   Slot slot;               // by reference if it is a variable's own
   bool by_reference = false;
   bool numeric = false;    // needs `;` in #declare
+  std::uint8_t depth = 0;  // by reference: as of Item
 };
 enum class ValueUse : std::uint8_t { kDeclare, kArgument, kElement };
 ParsedValue parse_value(Session& session, ValueUse use);
 Value parse_array(Session& session);  // the keyword was taken
 // The index of the element that `[...]...` selects; the `[` is next in the raw stream.
-std::size_t select_element(Session& session, const Array& array, std::uint8_t& subscripts);
+std::size_t select_element(Session& session, const Array& array, std::uint16_t& subscripts);
 // What the subscripts that are written behind a declared name select: also an element without a value. No array: there are none.
 struct WrittenElement {
   ArrayPtr array;
   std::size_t index = 0;
+  std::uint8_t depth = 0;  // as of Item
 };
-WrittenElement written_element(Session& session, const Value& value);
+WrittenElement written_element(Session& session, const Item& name);
 
 // text_stream.cpp
 void run_text_stream(Session& session, Word word);

@@ -61,7 +61,7 @@ void call_macro(Session& session, const MacroPtr& macro, const Item& name) {
   ++stream.events;
   stream.last_file = name.file;
   stream.last_token = name.source;
-  std::vector<Slot> arguments;
+  std::vector<ParsedValue> arguments;
   arguments.reserve(macro->parameters.size());
   {
     const TokenStream::Aside aside(stream, true);
@@ -75,7 +75,7 @@ void call_macro(Session& session, const MacroPtr& macro, const Item& name) {
                             " found.",
                         "macro-arguments", session.reader.peek());
       }
-      arguments.push_back(parse_value(session, ValueUse::kArgument).slot);
+      arguments.push_back(parse_value(session, ValueUse::kArgument));
       session.reader.comma();
     }
     close_paren(session);
@@ -88,7 +88,7 @@ void call_macro(Session& session, const MacroPtr& macro, const Item& name) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     // Of two parameters of one name the last counts.
     if (session.symbols.find_in_newest(macro->parameters[i]) != nullptr) session.symbols.remove(macro->parameters[i]);
-    session.symbols.add(macro->parameters[i], table, std::move(arguments[i]));
+    session.symbols.add(macro->parameters[i], table, std::move(arguments[i].slot)).depth = arguments[i].depth;
   }
   stream.enter_macro(macro);
 }

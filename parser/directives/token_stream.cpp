@@ -255,6 +255,7 @@ void TokenStream::resolve(Item& item, bool read_subscripts) {
   if (entry == nullptr) return;
   item.token.kind = TokenKind::kIdentifier;
   item.slot = entry->slot;
+  item.depth = entry->depth;
   if (entry->deprecation) warn_deprecated(*entry->deprecation, item);
   if (!read_subscripts) return;
   // An element of an array of arrays may be subscripted again.
@@ -264,7 +265,9 @@ void TokenStream::resolve(Item& item, bool read_subscripts) {
     if (frame.cursor == frame.end || frame.cursor->kind != TokenKind::kLeftSquare) break;
     const ArrayPtr keep = *array;
     const bool first = item.subscripts == 0;
-    item.slot = ArrayElements::reference(keep, select_element(session_, *keep, item.subscripts));
+    const std::size_t index = select_element(session_, *keep, item.subscripts);
+    item.slot = ArrayElements::reference(keep, index);
+    ++item.depth;
     if (!first) session_.expressions.recording.reset();
   }
 }
@@ -282,6 +285,7 @@ Item TokenStream::peek_raw() {
     if (entry != nullptr) {
       item.token.kind = TokenKind::kIdentifier;
       item.slot = entry->slot;
+      item.depth = entry->depth;
     }
   }
   return item;

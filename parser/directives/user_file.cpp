@@ -135,7 +135,7 @@ Slot read_target(Session& session) {
     return session.symbols.add(name.token.index, 0, std::make_shared<Value>()).slot;
   }
   if (!name.is(TokenKind::kIdentifier)) session.fail_expected("undeclared identifier", name);
-  const WrittenElement element = written_element(session, *name.slot);
+  const WrittenElement element = written_element(session, name);
   const Slot slot = element.array ? ArrayElements::reference(element.array, element.index) : name.slot;
   const Number* number = slot->get_if<Number>();
   const bool readable = slot->holds<String>() || (number != nullptr && (number->count == 1 || number->count == 3));

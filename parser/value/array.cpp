@@ -1,6 +1,7 @@
 #include "parser/value/array.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace lute {
@@ -65,7 +66,7 @@ Value ArrayElements::first_value() const {
 }
 
 std::uint64_t ArrayElements::bytes_to_set(const Value& value) const {
-  if (components_ != 0 || !values_.empty() || value.empty()) return 0;
+  if (has_storage() || value.empty()) return 0;
   const Number* const number = value.get_if<Number>();
   return number != nullptr ? count_ * static_cast<std::size_t>(number->count) * sizeof(double) + count_ / 8 : count_ * sizeof(Value);
 }
@@ -97,7 +98,7 @@ void ArrayElements::set(std::size_t index, Value value) {
       return;
     }
   }
-  if (components_ == 0 && values_.empty()) {
+  if (!has_storage()) {
     if (value.empty()) return;
     choose_storage(value);
   }
@@ -124,6 +125,7 @@ struct ArrayElements::Loan {
   Loan(const ArrayPtr& from, std::size_t element) : value(from->elements.value(element)), array(from), index(element) {}
   ~Loan() {
     Lent& lent = array->elements.lent_;
+    assert(array->elements.has_storage());  // a loan that ends allocates nothing
     lent.erase(std::ranges::find(lent, index, &Lent::value_type::first));
     array->elements.set(index, std::move(value));
   }
@@ -133,6 +135,7 @@ struct ArrayElements::Loan {
 
 Slot ArrayElements::reference(const ArrayPtr& array, std::size_t index) {
   ArrayElements& elements = array->elements;
+  if (!elements.has_storage()) return std::make_shared<Value>();
   if (Slot lent = elements.find_lent(index)) return lent;
   if (!elements.values_.empty()) return Slot(array, &elements.values_[index]);
   const auto loan = std::make_shared<Loan>(array, index);
@@ -145,5 +148,13 @@ Array::Array(std::vector<int> dimensions)
     : sizes(std::move(dimensions)),
       elements(std::accumulate(sizes.begin(), sizes.end(), std::size_t{1},
                                [](std::size_t count, int size) { return count * static_cast<std::size_t>(size); })) {}
+
+int array_nesting(const Value& value) {
+  const ArrayPtr* const array = value.get_if<ArrayPtr>();
+  if (array == nullptr) return 0;
+  int inside = 0;
+  (*array)->elements.for_each_value([&](const Value& element) { inside = std::max(inside, array_nesting(element)); });
+  return inside + 1;
+}
 
 }  // namespace lute

@@ -57,7 +57,8 @@ class ArrayElements {
     for (auto& [index, value] : others_) f(value);
   }
 
-  // The element as a variable. A packed one lives outside the array until the last reference to it goes.
+  // The element as a variable. A packed one lives outside the array until the last reference to it goes. Where no element has had a
+  // value yet, it is an empty one of its own.
   static Slot reference(const ArrayPtr& array, std::size_t index);
 
  private:
@@ -66,6 +67,7 @@ class ArrayElements {
   // The loans of the elements that are outside: few, as there are few macro parameters.
   using Lent = std::vector<std::pair<std::size_t, std::weak_ptr<Value>>>;
 
+  bool has_storage() const { return components_ != 0 || !values_.empty(); }
   bool is_packed(std::size_t index) const {
     return components_ != 0 && is_packed_[index] && (lent_.empty() || find_lent(index) == nullptr);
   }
@@ -88,11 +90,13 @@ class ArrayElements {
 struct Array {
   std::vector<int> sizes;  // 1 to 5 of them
   ArrayElements elements;
-  int nesting = 1;              // arrays in arrays
   std::size_t type = 0;         // of what was assigned last: see type_code()
   std::string_view type_name;   // the same for messages
 
   explicit Array(std::vector<int> dimensions);
 };
+
+// Arrays in arrays: 0 for a value that is none, 1 for an array of other things. Of values that nothing refers into.
+int array_nesting(const Value& value);
 
 }  // namespace lute

@@ -19,7 +19,7 @@ SymbolTable::Entry& SymbolTable::add(NameId name, std::uint32_t table, Slot slot
   auto at = stack.end();
   while (at != stack.begin() && (at - 1)->table > table) --at;
   tables_[table].push_back(name);
-  return *stack.insert(at, Entry{std::move(slot), table, nullptr});
+  return *stack.insert(at, Entry{.slot = std::move(slot), .table = table, .deprecation = nullptr});
 }
 
 void SymbolTable::remove(NameId name) {

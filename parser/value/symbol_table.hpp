@@ -27,6 +27,7 @@ class SymbolTable {
   struct Entry {
     Slot slot;
     std::uint32_t table = 0;
+    std::uint8_t depth = 0;  // of a macro parameter that stands for an array element: arrays in each other around it
     std::shared_ptr<Deprecation> deprecation;
   };
 

@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 
 #include "engine/function/program.hpp"
+#include "parser/diagnostic/advice.hpp"
 #include "parser/directives/directive.hpp"
 #include "parser/expression/expression.hpp"
 
@@ -137,6 +139,14 @@ void finish(Session& session) {
   finish_scene(session.reader);
 }
 
+// What reading has allocated itself is free again by now: there is room for a message.
+void report_out_of_memory(Session& session) {
+  Diagnostic d = session.diagnose(Severity::kError, "limit-memory", "The scene needs more memory than there is.", session.stream.last_file,
+                                  session.stream.last_token);
+  d.hint = advice(d);
+  session.diagnostics.report(d);
+}
+
 }  // namespace
 
 ParseResult parse_scene(const ParseOptions& options) {
@@ -154,6 +164,8 @@ ParseResult parse_scene(const ParseOptions& options) {
     if (result.ok) finish(session);
   } catch (const SceneError& error) {
     session.diagnostics.report(error.diagnostic());
+  } catch (const std::bad_alloc&) {
+    report_out_of_memory(session);
   }
   result.scene = std::move(session.scene);
   result.diagnostics = session.diagnostics.all();

@@ -1,7 +1,8 @@
 // The parser's entry: scene text in, scene description and diagnostics out.
 //
 // Errors: whatever is wrong with the scene, a missing file and a used-up limit included, is a diagnostic, and `ok` is false; reading
-// goes on after an error where that makes sense (parser/recovery). Nothing is thrown but std::bad_alloc and what the callbacks throw.
+// goes on after an error where that makes sense (parser/recovery). Nothing is thrown but what the callbacks throw, and std::bad_alloc if there
+// is no memory even for the message that there is none.
 // Units are those of the scene; degrees stay degrees. Source: specification chapter 10.
 #pragma once
 

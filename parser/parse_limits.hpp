@@ -14,7 +14,7 @@ struct ParseLimits {
   std::size_t depth = 1000;                     // objects, textures and functions made of each other by their names
   std::uint64_t loop_turns = 1'000'000'000ull;  // of all loops together
   std::uint64_t tokens = 4'000'000'000ull;      // taken from the text, loops and macros included
-  std::uint64_t memory_bytes = 0;               // of the process; 0: three quarters of the machine's
+  std::uint64_t memory_bytes = 0;               // of the process; 0: three quarters of machine_memory()
   std::uint64_t file_bytes = 0xFFFF'FFF0ull;    // of one file: offsets are 32 bits
 };
 

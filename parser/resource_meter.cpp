@@ -1,13 +1,9 @@
 #include "parser/resource_meter.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
-#include <limits>
 #include <string>
 
+#include "parser/machine_memory.hpp"
 #include "parser/session.hpp"
 
 namespace lute {
@@ -17,32 +13,12 @@ namespace {
 constexpr std::uint64_t kTokensBetweenChecks = 1 << 15;
 constexpr std::uint64_t kChargeBetweenChecks = 16u << 20;
 
-std::uint64_t page_bytes() { return static_cast<std::uint64_t>(std::max(sysconf(_SC_PAGESIZE), 4096L)); }
-
-// Three quarters of what the machine, or the control group the process runs in, has.
-std::uint64_t default_memory_limit() {
-  std::uint64_t memory = static_cast<std::uint64_t>(std::max(sysconf(_SC_PHYS_PAGES), 1L)) * page_bytes();
-  std::ifstream group("/sys/fs/cgroup/memory.max");
-  std::uint64_t most = 0;
-  if (group >> most && most > 0) memory = std::min(memory, most);
-  return memory / 4 * 3;
-}
-
 }  // namespace
-
-std::uint64_t resident_bytes() {
-  std::FILE* const file = std::fopen("/proc/self/statm", "r");
-  if (file == nullptr) return 0;
-  unsigned long long total = 0, resident = 0;
-  const int found = std::fscanf(file, "%llu %llu", &total, &resident);
-  std::fclose(file);
-  return found == 2 ? resident * page_bytes() : 0;
-}
 
 ResourceMeter::ResourceMeter(Session& session, const ParseLimits& limits)
     : session_(session),
       limits_(limits),
-      memory_limit_(limits.memory_bytes != 0 ? limits.memory_bytes : default_memory_limit()),
+      memory_limit_(limits.memory_bytes != 0 ? limits.memory_bytes : machine_memory() / 4 * 3),
       next_check_(std::min(kTokensBetweenChecks, limits.tokens)) {}
 
 void ResourceMeter::check_tokens() {

@@ -45,7 +45,4 @@ class ResourceMeter {
   std::uint64_t reserved_ = 0;
 };
 
-// Memory that the process holds, in bytes.
-std::uint64_t resident_bytes();
-
 }  // namespace lute

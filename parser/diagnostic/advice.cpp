@@ -79,6 +79,7 @@ constexpr Advice kAdvice[] = {
     {"Functions call each other too deeply", "", "--max-depth N allows more"},
     {"Too many loop turns", "", "does the loop end? --max-loop-turns N allows more"},
     {"Too many tokens", "", "do the loops and macros end? --max-tokens N allows more"},
+    {"The scene needs more memory than there is", "", "smaller arrays, meshes and images, or fewer objects, need less"},
     {"The scene needs more memory", "", "--max-memory MB allows more"},
     {"Illegal parameters in substr", "", "substr(TEXT, P, N) needs 1 <= P and P + N - 1 <= strlen(TEXT)"},
 

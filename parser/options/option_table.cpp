@@ -99,7 +99,7 @@ const OptionRow kOptions[] = {
     {"", "", "allow-write", Kind::kText, Tail::kNothing, [](O& o, const V& v) { o.allow_write.push_back(v.text); }, "a folder that the scene may write to"},
     {"", "", "max-loop-turns", Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.limits.loop_turns = count(v); }, "of all loops together (1e9)"},
     {"", "", "max-tokens",  Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.limits.tokens = count(v); }, "read from the scene, loops and macros included (4e9)"},
-    {"", "", "max-memory",  Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.limits.memory_bytes = count(v) << 20; }, "in MB, while the scene is read (3/4 of the machine's)"},
+    {"", "", "max-memory",  Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.limits.memory_bytes = count(v) << 20; }, "in MB, while the scene is read (3/4 of what the machine, its control groups and ulimit give)"},
     {"", "", "max-file-size", Kind::kFloat, Tail::kNothing, [](O& o, const V& v) { o.limits.file_bytes = std::min(count(v) << 20, o.limits.file_bytes); }, "of each file that is read, in MB (4096)"},
     {"", "", "max-nesting", Kind::kInteger, Tail::kNothing, [](O& o, const V& v) { o.limits.nesting = static_cast<std::size_t>(std::clamp(v.integer, 1, 2000)); }, "parentheses and calls in each other, up to 2000 (200)"},
     {"", "", "max-depth",   Kind::kInteger, Tail::kNothing, [](O& o, const V& v) { o.limits.depth = static_cast<std::size_t>(std::clamp(v.integer, 1, 2000)); }, "declared objects, textures and functions in each other, up to 2000 (1000)"},

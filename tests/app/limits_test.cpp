@@ -86,6 +86,31 @@ TEST_F(Limits, EndlessScenesEndByTheirSwitch) {
   EXPECT_THAT(run_lute({"--check", "--max-nesting", "50", path("deep.pov")}).error, HasSubstr("nested too deeply"));
 }
 
+// 400 MB of address space, of which the program and its libraries take a part.
+TEST_F(Limits, ALimitOnAddressSpaceIsToldWithItsPlace) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer's shadow needs more address space than the limit";
+#endif
+  const auto run_of = [&](const std::string& text, const std::string& switches) {
+    write("large.pov", "#version 3.7;\n" + text);
+    const std::string command = "ulimit -v 400000; exec " LUTE_BINARY_DIR "/lute --check " + switches + " " + path("large.pov");
+    return run_lute({"-c", command}, "", 0, "/bin/sh");
+  };
+  for (const char* text : {"#while (1) sphere { 0, 1 } #end\n", "#declare A = array[10000][10000];\n#declare A[0][0] = 1;\n",
+                           "#declare S = \"aaaaaaaaaa\";\n#while (1) #declare S = concat(S, S); #end\n",
+                           "mesh2 { vertex_vectors { 200000000, #while (1) <1, 2, 3> #end } }\n"}) {
+    const LuteRun run = run_of(text, "");
+    EXPECT_EQ(run.exit_code, 1) << text;
+    EXPECT_THAT(run.error, HasSubstr("large.pov:")) << text;
+    EXPECT_THAT(run.error, HasSubstr("more memory than the limit of ")) << text;
+  }
+  // A limit that was asked for is believed: what is beyond it all the same has a place too.
+  const LuteRun run = run_of("#while (1) sphere { 0, 1 } #end\n", "--max-memory 100000");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.error, HasSubstr("large.pov:2:"));
+  EXPECT_THAT(run.error, HasSubstr("more memory than there is"));
+}
+
 constexpr double kSoon = 5;  // seconds: each takes less than one on a machine that has nothing else to do
 
 // Values made of each other by their names nest as deep as the loop turns; nothing of it stands in the text.

@@ -10,7 +10,7 @@
 #include "engine/texture/texture_functions.hpp"
 #include "parser/options/option_reader.hpp"
 #include "parser/parse.hpp"
-#include "parser/resource_meter.hpp"
+#include "parser/machine_memory.hpp"
 
 namespace lute {
 namespace {

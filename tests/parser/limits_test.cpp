@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "parser/file_permissions.hpp"
-#include "parser/resource_meter.hpp"
+#include "parser/machine_memory.hpp"
 #include "tests/parser/read_text.hpp"
 
 namespace lute::test {

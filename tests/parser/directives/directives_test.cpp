@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-#include "parser/resource_meter.hpp"
+#include "parser/machine_memory.hpp"
 #include "tests/file_text.hpp"
 #include "tests/parser/read_text.hpp"
 

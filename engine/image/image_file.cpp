@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <new>
 
 #include "engine/image/format_library.hpp"
 #include "engine/image/color_mapped.hpp"
@@ -255,7 +256,12 @@ ImagePtr ImageFiles::load(const std::string& path, const ImageFileOptions& optio
     error = "IFF files are not supported; convert it to PNG";
     return nullptr;
   }
-  const std::shared_ptr<Image> image = make_image(path, type, options, error);
+  std::shared_ptr<Image> image;
+  try {
+    image = make_image(path, type, options, error);
+  } catch (const std::bad_alloc&) {
+    error = "its pixels need more memory than there is";
+  }
   if (image == nullptr) return nullptr;
   if (options.premultiplied) image->set_premultiplied(*options.premultiplied);
   return loaded_[key] = image;

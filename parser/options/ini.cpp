@@ -105,6 +105,9 @@ std::vector<IniSection> parse_ini(std::string_view text, std::string_view file_n
     if (!content.empty() && content.back() == '\r') content.remove_suffix(1);
     begin = end + 1;
     ++number;
+    if (content.find('\0') != std::string_view::npos) {
+      throw OptionError(std::string(file_name) + ":" + std::to_string(number) + ": a NUL byte: this is no plain text");
+    }
     if (!ini::read_line(content, number, sections)) {
       throw OptionError(std::string(file_name) + ":" + std::to_string(number) +
                         ": neither 'Keyword = value', a [section], a switch, a file name nor a comment");

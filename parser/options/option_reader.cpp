@@ -331,6 +331,9 @@ class Reader {
         }
       }
     }
+    if (section.empty() && name.find('[') != std::string::npos) {
+      throw OptionError("the section in '" + name + "' has no ] at its end", name.starts_with('[') ? "a section begins with [NAME]" : "a section of a file is given as file.ini[NAME]");
+    }
     const OptionRow* const row = find_keyword(name);
     throw OptionError("cannot open the INI file '" + name + "'",
                       row != nullptr ? "an option is written " + std::string(row->keyword) + "=VALUE"

@@ -56,7 +56,9 @@ std::vector<ObjectPtr> parse_members(Reader& reader, CsgOperation operation) {
       reader.warning("Patch objects not allowed in intersection.");
     members.push_back(*member);
   }
-  if (count < 2) reader.warning("Should have at least 2 objects in csg.");
+  // What belongs in no combination is told as the error that it is, alone.
+  const bool goes_on = reader.at(TokenKind::kRightBrace) || reader.word() != Word::kNone;
+  if (count < 2 && goes_on) reader.warning("Should have at least 2 objects in csg.");
   return members;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 const std::string kGolden = LUTE_SOURCE_DIR "/tests/parser/options/option_messages.golden";
 
-// A case is the line of arguments, then the text of test.ini.
+// A case is the line of arguments, then the text of test.ini, where <NUL> stands for that byte.
 std::string said_about(const std::string& options) {
   const std::size_t end = options.find('\n');
   std::istringstream line(options.substr(0, end));
@@ -24,7 +24,8 @@ std::string said_about(const std::string& options) {
   OptionEnvironment environment;
   environment.variable = [](const std::string&) { return std::nullopt; };
   environment.read_file = [&](const std::string& path) {
-    return path == "test.ini" ? std::optional(options.substr(end + 1)) : std::nullopt;
+    if (path != "test.ini") return std::optional<std::string>();
+    return std::optional(std::regex_replace(options.substr(end + 1), std::regex("<NUL>"), std::string(1, '\0')));
   };
   try {
     std::string said;

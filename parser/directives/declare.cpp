@@ -340,6 +340,7 @@ void run_declare(Session& session, bool local) {
     remember_directive(session, keyword - 1, known, equals.source + 1, TokenKind::kSemicolon);
   }
   store(session, target, std::move(value.slot), std::move(deprecation));
+  if (value.numeric) stream.pass_second_semicolon();
 }
 
 void run_undef(Session& session) {

@@ -43,6 +43,7 @@ bool run_declaration(Session& session, const KnownDirective& known, Code& code) 
     session.symbols.add(known.name, session.symbols.newest(), std::make_shared<Value>(value));
   }
   take_known(session, known);
+  session.stream.pass_second_semicolon();
   return true;
 }
 

@@ -300,6 +300,10 @@ Item TokenStream::take_raw() {
   return item;
 }
 
+void TokenStream::look_for_semicolon() {
+  if (window_size_ == 0 && peek_raw().is(TokenKind::kSemicolon)) take_raw();
+}
+
 void TokenStream::push_conditional(Conditional conditional) {
   if (conditionals.size() >= kMostConditionals) session_.fail("Too many nested conditionals or macros.", "nesting");
   conditional.frame = static_cast<std::uint32_t>(frames.size() - 1);

@@ -57,6 +57,13 @@ class TokenStream {
   const Item& peek_statement();
   Item take();
   void put_back(Item item);  // in front of what comes next
+  // Behind the `;` of a numeric #declare: one more is passed over, also where the macro or the file ends in front of it, but no
+  // directive is executed for it.
+  void pass_second_semicolon() {
+    const TokenFrame& frame = frames.back();
+    const TokenKind next = frame.cursor->kind;
+    if (frame.cursor == frame.end || next == TokenKind::kSemicolon || next == TokenKind::kMore) look_for_semicolon();
+  }
   // The token as written that comes next in the innermost frame is of this kind; nothing is executed for it.
   bool at_written(TokenKind kind);
   bool at_written(Word word);
@@ -146,6 +153,7 @@ class TokenStream {
   void lex_on(SourceFile& file);
   void forget_passed(const Token* before);
   bool at_frame_end();  // handles the end of a macro's body or of an included file; false when there is a token to read
+  void look_for_semicolon();
   void resolve(Item& item, bool read_subscripts);
   void warn_deprecated(Deprecation& deprecation, const Item& item);
   [[noreturn]] void fail_unreadable(const TokenFrame& frame);

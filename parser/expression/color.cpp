@@ -81,6 +81,11 @@ bool starts_color(const Item& item) {
   return word == Word::kColor || main_form(word) || is_component(word) || starts_number(item);
 }
 
+bool is_written_color(const Item& item) {
+  const Number* const number = item.is(TokenKind::kIdentifier) ? item.slot->get_if<Number>() : nullptr;
+  return number != nullptr ? number->count == 5 : starts_color(item) && !starts_number(item);
+}
+
 ColorValue parse_color(Session& session, int bare_components) {
   TokenStream& stream = session.stream;
   ColorValue result;

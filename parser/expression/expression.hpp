@@ -55,6 +55,7 @@ struct ColorValue {
 };
 ColorValue parse_color(Session& session, int bare_components);
 bool starts_color(const Item& item);
+bool is_written_color(const Item& item);  // begins a colour that is no plain number or vector
 
 // `spline { ... }`, the keyword was taken.
 SplinePtr parse_spline(Session& session);

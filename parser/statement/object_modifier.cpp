@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/scene/contents.hpp"
+#include "parser/expression/expression.hpp"
 #include "parser/session.hpp"
 #include "parser/statement/interior.hpp"
 #include "parser/statement/object.hpp"
@@ -239,7 +240,7 @@ bool accept_special(Reader& reader, Modifiers& m) {
     parse_object_photons(reader, m.object);
   } else if (reader.accept(Word::kRadiosity)) {
     parse_radiosity(reader, m.object);
-  } else if (reader.accept(Word::kColor)) {
+  } else if (is_written_color(reader.peek())) {
     reader.color();
     reader.warning("Quick color belongs in texture. Color ignored.");
   } else if (reader.accept(Word::kDtag)) {

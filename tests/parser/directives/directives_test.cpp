@@ -103,6 +103,25 @@ TEST(Directives, RunInTheMiddleOfAnExpression) {
   EXPECT_NE(error_of("#declare A = #if(1) 5 #else 6 #end;"), "");
 }
 
+// Probes of the reference's binary. So a macro's value may end with `;` and its call too.
+TEST(Declare, PassesOverASecondSemicolonBehindNumbers) {
+  const std::string third = "Expected 'object or directive', ; found instead";
+  EXPECT_EQ(error_of("#declare A = 1;; #local B = <1, 2>; ; #declare C = rgb 1;; #declare D = array[1] #declare D[0] = 1;;"), "");
+  EXPECT_EQ(error_of("#declare A = 1;;;"), third);
+  EXPECT_EQ(error_of("#declare A = \"a\";;"), third);
+  EXPECT_EQ(error_of("#declare A = sphere { 0, 1 };;"), third);
+  EXPECT_EQ(values("#macro T(A) 2*A; #end #declare B = T(2); P(B)"), "4.000000\n");
+  EXPECT_EQ(values("#macro T() 2; #end #macro U() T() #end #declare B = U(); P(B)"), "2.000000\n");
+  EXPECT_EQ(values("#macro T() 2; #end #for (I, 1, 3) #declare B = T(); #declare B = B + I;; P(B) #end"), "3.000000\n4.000000\n5.000000\n");
+  EXPECT_EQ(error_of("#macro T() #local X = 2; #end T();"), "");
+  EXPECT_EQ(error_of("#macro T() #local X = 2; #end #for (I, 1, 3) T(); #end"), "");
+  EXPECT_EQ(error_of("#macro T() #local X = 2; #end T(); #declare Y = X;"), "Cannot assign uninitialized identifier.");
+  // No directive is executed for it.
+  EXPECT_EQ(error_of("#if (1) #declare A = 1; #end ;"), third);
+  EXPECT_EQ(error_of("#macro T() 2; #if (1) #end #end #declare B = T();"), third);
+  EXPECT_EQ(error_of("#macro T() ; #end #declare B = 2; T()"), third);
+}
+
 TEST(Declare, NeedsItsSemicolonBehindNumbersOnly) {
   EXPECT_EQ(error_of("#declare A=5").substr(0, 60), "All #declares of float, vector, and color require semi-colon");
   EXPECT_TRUE(read_text("#declare A=\"s\" #declare A=\"s\";").ok);

@@ -28,6 +28,7 @@ ShapeCase julia(std::string name, JuliaFractal::Algebra algebra, JuliaFractal::F
   f.max_iteration = 4;
   f.precision = 200;
   ShapeCase c{std::move(name), maker(f)};
+  c.rays = 200;
   c.accuracy = 1e-6;
   c.scatter = 2e-7;
   c.own_normals = true;  // those of the last iterate; the surface is where the one before it leaves the ball
@@ -63,10 +64,15 @@ ShapeCase julia_of_function(std::string name, JuliaFractal::Function function, C
   f.precision = 100;
   ShapeCase c{std::move(name), maker(f)};
   c.size = 2;
+  c.rays = 40;
   c.accuracy = 1e-6;
   c.scatter = 2e-7;
   c.own_normals = true;
   c.parity = false;
+  // Where a ray enters the ball, rounding decides whether it is inside of a set that fills it. If not, there is a hit within the
+  // first step of the march, of which the later steps begin elsewhere.
+  constexpr double kBall = 4;
+  c.rounding_decides = [step = 1 / f.precision](const dvec3& p) { return glm::length(p) > kBall - 1.1 * step; };
   c.distance = [f, map](const dvec3& p) {
     const auto here = [&](const dvec3& q) {
       return std::pair(stays(f, map, dvec4(q, 0)), stays(f, map, dvec4(q.x, q.y, q.y, 0)));
@@ -106,7 +112,6 @@ void add_julia_functions(std::vector<ShapeCase>& cases) {
   };
   for (const auto& [name, function, map] : functions) {
     cases.push_back(julia_of_function(std::string("julia_hypercomplex_") + name, function, map));
-    cases.back().rounding_decides = function != F::kPwr;  // that one does not fill the ball
   }
 }
 

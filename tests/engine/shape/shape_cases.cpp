@@ -125,6 +125,7 @@ void add_formula_solids(std::vector<ShapeCase>& cases) {
   }
   cases.push_back(polynomial_case("poly_order_35", 35,
                                   {{{34, 0, 0}, 1}, {{0, 34, 0}, 1}, {{0, 0, 34}, 1}, {{12, 10, 12}, 0.4}, {{0, 0, 0}, -1e-3}}, false));
+  cases.back().rays = 100;
   cases.push_back(superellipsoid("superellipsoid_round", 0.8, 0.7));
   cases.push_back(superellipsoid("superellipsoid_box", 0.2, 0.25));
   cases.push_back(superellipsoid("superellipsoid_star", 2.4, 1.6));

@@ -30,7 +30,10 @@ struct ShapeCase {
 
   bool parity = true;          // hits lead in and out of what the inside test accepts
   bool textured = false;       // its parts have textures
-  bool rounding_decides = false;  // whether a ray meets it, as where a fractal fills the ball that it is looked for in
+  // Whether rounding decides if there is a hit at a local point, and all that follows on the ray: where a fractal fills the ball
+  // that it is looked for in.
+  std::function<bool(const dvec3&)> rounding_decides{};
+  int rays = 400;              // fewer where each costs much
   bool own_normals = false;    // normals that are not those of the surface that is hit, as of smooth triangles
 };
 

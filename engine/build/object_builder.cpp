@@ -82,7 +82,15 @@ bool SceneBuilder::dissolves(const Object& object, const Csg& csg, const Context
 
 std::unique_ptr<Solid> SceneBuilder::solid(const Object& object, const Context& own, bool top_level) {
   if (const Csg* csg = object.csg()) return combination(object, *csg, own);
-  return leaf(object, own, top_level);
+  std::unique_ptr<Solid> built = leaf(object, own, top_level);
+  const bool text = object.shape()->get_if<Text>() != nullptr;
+  if (!text || top_level || own.inverted || !own.visibility.restricts()) return built;
+  // To the language text is a union of letters, each with the flags: what does not see them passes, in an intersection too.
+  SolidList letters;
+  letters.push_back(std::move(built));
+  auto whole = std::make_unique<CsgSolid>(CsgKind::kUnion, std::move(letters));
+  whole->visibility = own.visibility;
+  return whole;
 }
 
 std::unique_ptr<Solid> SceneBuilder::leaf(const Object& object, const Context& own, bool top_level) {

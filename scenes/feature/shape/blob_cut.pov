@@ -1,0 +1,18 @@
+// A blob with negative parts, cut, clipped, mirrored.
+// lute scenes/feature/shape/blob_cut.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 12 }
+camera { location <0, 2.5, -8> right 4 / 3 * x look_at <0, 0.3, 0> angle 42 }
+light_source { <-4, 7, -6> rgb 0.8 }
+light_source { <6, 3, -4> rgb <0.3, 0.3, 0.4> shadowless }
+#default { finish { ambient 0.12 diffuse 0.75 phong 0.4 phong_size 30 } }
+plane { y, -1.6 pigment { checker rgb 0.9, rgb 0.5 scale 0.8 } }
+#declare Red = texture { pigment { rgb <0.9, 0.25, 0.2> } }
+#declare Green = texture { pigment { rgb <0.3, 0.8, 0.3> } }
+#declare Blue = texture { pigment { rgb <0.3, 0.4, 0.95> } }
+#declare Glass = texture { pigment { rgbf <0.85, 0.95, 1, 0.8> } finish { reflection 0.08 phong 0.8 } }
+
+#declare B = blob { threshold 0.5 sphere { -0.6 * x, 1, 1 } sphere { 0.6 * x, 1, 1 } cylinder { -y, y, 0.4, 1.2 } sphere { <0, 0, -0.6>, 0.6, -1.3 } sturm }
+object { B texture { Red } scale <-1, 1, 0.8> rotate 20 * y translate -2 * x }
+difference { object { B } cylinder { -2 * z, 2 * z, 0.3 } texture { Green } scale 1.1 translate 0.3 * y }
+object { B clipped_by { plane { <-0.5, 0.5, -0.5>, 0.1 } } texture { Blue } interior_texture { Red } translate 2.2 * x }

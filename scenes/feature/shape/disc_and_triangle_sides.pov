@@ -1,0 +1,18 @@
+// Discs with holes, triangles and smooth triangles, seen from both sides.
+// lute scenes/feature/shape/disc_and_triangle_sides.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 12 }
+camera { location <0, 2.5, -8> right 4 / 3 * x look_at <0, 0.3, 0> angle 42 }
+light_source { <-4, 7, -6> rgb 0.8 }
+light_source { <6, 3, -4> rgb <0.3, 0.3, 0.4> shadowless }
+#default { finish { ambient 0.12 diffuse 0.75 phong 0.4 phong_size 30 } }
+plane { y, -1.6 pigment { checker rgb 0.9, rgb 0.5 scale 0.8 } }
+#declare Red = texture { pigment { rgb <0.9, 0.25, 0.2> } }
+#declare Green = texture { pigment { rgb <0.3, 0.8, 0.3> } }
+#declare Blue = texture { pigment { rgb <0.3, 0.4, 0.95> } }
+#declare Glass = texture { pigment { rgbf <0.85, 0.95, 1, 0.8> } finish { reflection 0.08 phong 0.8 } }
+
+disc { 0, <0.2, 0.5, -1>, 1.1, 0.5 texture { Red } interior_texture { Blue } scale <1, 1.2, 1> translate -2.2 * x }
+union { triangle { <-1, -1, 0>, <1, -1, 0>, <0, 1, 0> } triangle { <-1, -1, 0>, <0, 1, 0>, <-1, 1, 0.8> } texture { Green } rotate 20 * y }
+smooth_triangle { <-1, -1, 0>, <-0.5, -0.3, -1>, <1, -1, 0>, <0.5, -0.3, -1>, <0, 1, 0>, <0, 0.8, -1> texture { Blue } translate 2.2 * x }
+disc { <0, 1.5, 0>, y, 0.9 inverse texture { Red } clipped_by { box { <-1, 1, -1>, <1, 2, 0.3> } } }

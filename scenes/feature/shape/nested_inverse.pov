@@ -1,0 +1,17 @@
+// Inverse of nested combinations in an intersection.
+// lute scenes/feature/shape/nested_inverse.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 12 }
+camera { location <0, 2.5, -8> right 4 / 3 * x look_at <0, 0.3, 0> angle 42 }
+light_source { <-4, 7, -6> rgb 0.8 }
+light_source { <6, 3, -4> rgb <0.3, 0.3, 0.4> shadowless }
+#default { finish { ambient 0.12 diffuse 0.75 phong 0.4 phong_size 30 } }
+plane { y, -1.6 pigment { checker rgb 0.9, rgb 0.5 scale 0.8 } }
+#declare Red = texture { pigment { rgb <0.9, 0.25, 0.2> } }
+#declare Green = texture { pigment { rgb <0.3, 0.8, 0.3> } }
+#declare Blue = texture { pigment { rgb <0.3, 0.4, 0.95> } }
+#declare Glass = texture { pigment { rgbf <0.85, 0.95, 1, 0.8> } finish { reflection 0.08 phong 0.8 } }
+
+intersection { box { -1.1, 1.1 } union { sphere { -0.6, 0.8 } sphere { 0.6, 0.8 } inverse } texture { Red } rotate 25 * y translate -1.8 * x }
+difference { sphere { 0, 1.3 } difference { cylinder { -2 * y, 2 * y, 0.8 } box { <-2, -0.3, -2>, <2, 0.3, 2> } inverse } texture { Green } translate 1.6 * x }
+intersection { sphere { 0, 0.7 } difference { box { -0.6, 0.6 } torus { 0.5, 0.2 inverse } inverse } texture { Blue } translate <0, 1.6, 0> }

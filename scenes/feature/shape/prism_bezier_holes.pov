@@ -1,0 +1,18 @@
+// Bézier and cubic prisms with holes, linear and conic, turned over.
+// lute scenes/feature/shape/prism_bezier_holes.pov -W160 -H120
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 12 }
+camera { location <0, 2.5, -8> right 4 / 3 * x look_at <0, 0.3, 0> angle 42 }
+light_source { <-4, 7, -6> rgb 0.8 }
+light_source { <6, 3, -4> rgb <0.3, 0.3, 0.4> shadowless }
+#default { finish { ambient 0.12 diffuse 0.75 phong 0.4 phong_size 30 } }
+plane { y, -1.6 pigment { checker rgb 0.9, rgb 0.5 scale 0.8 } }
+#declare Red = texture { pigment { rgb <0.9, 0.25, 0.2> } }
+#declare Green = texture { pigment { rgb <0.3, 0.8, 0.3> } }
+#declare Blue = texture { pigment { rgb <0.3, 0.4, 0.95> } }
+#declare Glass = texture { pigment { rgbf <0.85, 0.95, 1, 0.8> } finish { reflection 0.08 phong 0.8 } }
+
+#declare P1 = prism { bezier_spline linear_sweep -0.3, 0.3, 16 <-1, 0>, <-1, 1.4>, <1, 1.4>, <1, 0>, <1, 0>, <1, -1.2>, <-1, -1.2>, <-1, 0>, <-0.5, 0>, <-0.5, 0.6>, <0.5, 0.6>, <0.5, 0>, <0.5, 0>, <0.5, -0.6>, <-0.5, -0.6>, <-0.5, 0> }
+object { P1 texture { Red } rotate -70 * x translate -1.8 * x }
+object { P1 texture { Green } scale <1, -1.5, 0.6> matrix <1, 0.3, 0, 0, 1, 0.2, 0.3, 0, 1, 1.7, 0, 0> rotate -40 * x }
+prism { cubic_spline conic_sweep 0.2, 1, 8 <0.9, 0.9>, <1, 0>, <0, 1.2>, <-1, 0>, <0, -1.1>, <1, 0>, <0, 1.2>, <-1, 0> texture { Blue } scale <0.7, 0.8, 0.7> translate <0, 0.9, 0> }

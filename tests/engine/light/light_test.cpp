@@ -19,10 +19,16 @@ TEST(LightGroup, LightsItsMembersOnly) {  // §10.5
   expect_grey(look(scene({sun(), outside, wall(white_diffuse())}), camera()), 1);
 }
 
-TEST(LightGroup, TheNearestGroupWithLightsLights) {  // §10.5
-  auto inner = csg(CsgOperation::kLightGroup, {wall(white_diffuse()), light({0, 0, -100}, Rgb(.5f))});
-  auto outer = csg(CsgOperation::kLightGroup, {inner, light({0, 0, -100}, Rgb(.125f))});
-  expect_grey(look(scene({outer}), camera()), .5f);
+// §10.5: the check cases 20 have the same from POV-Ray.
+TEST(LightGroup, DeclaredInnerGroupsSeeTheLightsOfOuterOnes) {
+  const auto look_at_groups = [](bool declared) {
+    auto inner = csg(CsgOperation::kLightGroup, {wall(white_diffuse()), light({0, 0, -100}, Rgb(.5f))});
+    inner->declared = declared;
+    auto outer = csg(CsgOperation::kLightGroup, {inner, light({0, 0, -100}, Rgb(.125f))});
+    return look(scene({outer}), camera());
+  };
+  expect_grey(look_at_groups(false), .5f);
+  expect_grey(look_at_groups(true), .625f);
 }
 
 TEST(ProjectedLight, ShinesThroughItsObjectOnly) {  // §11.5

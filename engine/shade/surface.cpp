@@ -105,6 +105,7 @@ Color Shader::texture_color(Surface& surface, const CompiledTexture& texture, co
 // The normal that a layer's pattern makes of the raw one. Patterns that ask for the surface's normal see it from then on, in the space of the
 // enclosing texture and as long as it has become.
 dvec3 Shader::perturbed(const CompiledNormal& normal, const dvec3& point, const TextureSpace* space, SurfaceContext& context) {
+  if (normal.is_uv_mapping() && space != nullptr && space->pattern == nullptr) space = nullptr;
   const dvec3 bent = normal.bend(carry_in(space, context.raw_normal, normal.bump_scale()), point, context);
   context.normal = bent;
   const dvec3 unit = normal.bump_scale() ? bent : glm::normalize(bent);

@@ -38,7 +38,7 @@ dvec3 CompiledNormal::perturb(const dvec3& normal, const dvec3& point, const Sur
 }
 
 dvec3 CompiledNormal::bend(const dvec3& normal, const dvec3& point, const SurfaceContext& surface) const {
-  if (pattern_->is_uv_mapping() && !normals_.empty())
+  if (is_uv_mapping())
     return glm::normalize(normals_.front().normal->bend(normal, {surface.uv.x, surface.uv.y, 0}, surface));
   const dvec3 warped = pattern_->warp(point);
   dvec3 n = pattern_->carry_in(normal, bump_scale_);

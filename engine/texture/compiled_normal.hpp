@@ -24,6 +24,9 @@ class CompiledNormal {
   // False: no_bump_scale, here or on the texture.
   bool bump_scale() const { return bump_scale_; }
 
+  // True: it bends the normal as the world has it, whatever moved the texture (chapter 50 §10.5).
+  bool is_uv_mapping() const { return pattern_->is_uv_mapping() && !normals_.empty(); }
+
  private:
   struct NormalEntry {
     float position;

@@ -95,6 +95,10 @@ std::vector<Row> rows() {
       // Our own: the square of such a length is 0, and POV-Ray's picture black.
       {"GradientOfTheTiniestDirection", "plane { z, 0 pigment { gradient <1e-200, 0, 0> scale 4 translate -2*x } }",
        {Rgb(.125f), Rgb(.375f), Rgb(.625f), Rgb(.875f)}},
+      // A normal over u and v bends the normal as the world has it, however its object was turned.
+      {"MappedNormalOfATurnedObject",
+       kLamp + "#default { finish { ambient 0 diffuse 1 } } box { -4, 4 pigment { rgb .5 } normal { uv_mapping bumps .6 scale .1 } rotate 20*x }",
+       {Rgb(.4757f), Rgb(.4659f), Rgb(.4491f), Rgb(.4396f)}},
       {"MandelColors", "plane { z, 0 pigment { mandel 20 } }", {cyan, cyan, cyan, black}},
       {"MandelOfOtherExponentIsGrey", "plane { z, 0 pigment { mandel 20 exponent 3 } }", {black, Rgb(.2f), Rgb(.2f), black}},
   };

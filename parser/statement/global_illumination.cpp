@@ -106,7 +106,8 @@ void check_reuse(Reader& reader, RadiosityLimits& limits) {
 bool accept_photon_pass_item(Reader& reader) {
   if (reader.accept(Word::kGather)) {
     const int least = reader.integer();
-    const int most = second_integer(reader, 100);
+    reader.comma();
+    const int most = reader.integer();
     if (most < 0) reader.error("max_gather_count cannot be negative.");
     if (most > 0 && least < 0) reader.error("min_gather_count cannot be negative.");
     if (most > 0 && least > most) reader.error("min_gather_count must be less than max_gather_count.");
@@ -117,7 +118,8 @@ bool accept_photon_pass_item(Reader& reader) {
     }
   } else if (reader.accept(Word::kExpandThresholds)) {
     reader.number();
-    second_integer(reader, 35);
+    reader.comma();
+    reader.integer();
   } else if (reader.accept(Word::kMedia)) {
     if (reader.integer() < 0) reader.error("max media steps must be non-negative.");
     reader.comma();

@@ -30,7 +30,7 @@ void parse_samples(Reader& reader, Media& media) {
 void parse_scattering(Reader& reader, Media& media) {
   reader.open(Word::kScattering);
   media.scattering_type = reader.integer();
-  if (media.scattering_type < 1 || media.scattering_type > 5) reader.warning("Scattering type must be 1 to 5.");
+  if (media.scattering_type < 1 || media.scattering_type > 5) reader.warning("Unknown atmospheric scattering type.");
   reader.comma();
   media.scattering = reader.rgb();
   while (true) {

@@ -1,11 +1,15 @@
 #include "parser/session.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
 #include "parser/diagnostic/advice.hpp"
+#include "parser/diagnostic/context_advice.hpp"
+#include "parser/diagnostic/statement_form.hpp"
 #include "parser/directives/directive_words.hpp"
 #include "parser/expression/expression.hpp"
+#include "parser/statement/statement.hpp"
 
 namespace lute {
 
@@ -92,7 +96,44 @@ Diagnostic Session::diagnose(Severity severity, std::string code, std::string me
   return d;
 }
 
+namespace {
+
+// Between the keyword of the block and the mistake stand numbers and vectors only.
+bool is_head(const SourceFile& file, const Token* keyword, const SourceLocation& mistake) {
+  constexpr int kLongestHead = 100;
+  const Token* const end = file.tokens.data() + file.tokens.size();
+  for (const Token* token = keyword + 1; token < end && token < keyword + kLongestHead; ++token) {
+    const SourceLocation where = file.locate(token->offset);
+    if (std::pair(where.line, where.column) >= std::pair(mistake.line, mistake.column)) return true;
+    Item item;
+    item.token = *token;
+    if (token->kind == TokenKind::kWord && !starts_number(item)) return false;
+  }
+  return false;
+}
+
+// How the object is written that a wrong value stands at the beginning of, or "".
+std::string form_of_block(const Session& session, const Diagnostic& d) {
+  const std::string_view message = d.message;
+  const bool about_value = message.starts_with("Expected 'numeric expression'") || message.starts_with("Float expected") ||
+                           message.starts_with("Vector expected") || (message.starts_with("No matching } in") && message.ends_with(",  found instead"));
+  if (session.open_blocks.empty() || !about_value || message.find("undeclared identifier") != std::string_view::npos ||
+      message.ends_with(", ) found instead")) return "";
+  const OpenBlock& block = session.open_blocks.back();
+  if (block.keyword == nullptr || block.keyword->kind != TokenKind::kWord || block.file != d.where.file) return "";
+  const std::string_view form = statement_form(spelling(block.keyword->word));
+  if (form.empty() || !is_head(*session.files[block.file], block.keyword, d.where)) return "";
+  const std::string_view what = message.starts_with("Float expected")    ? "a number belongs here: "
+                                : message.starts_with("Vector expected") ? "a vector <x, y, z> belongs here: "
+                                                                         : "written as ";
+  return std::string(what) + std::string(form);
+}
+
+}  // namespace
+
 void Session::report_fatal(Diagnostic diagnostic) {
+  if (std::string hint = context_advice(diagnostic); !hint.empty()) diagnostic.hint = std::move(hint);
+  if (diagnostic.hint.empty()) diagnostic.hint = form_of_block(*this, diagnostic);
   if (diagnostic.hint.empty()) diagnostic.hint = advice(diagnostic);
   throw SceneError(std::move(diagnostic));
 }
@@ -107,8 +148,13 @@ void Session::fail_at(std::string message, std::string code, const Item& item) {
   report_fatal(std::move(d));
 }
 
-void Session::fail_missing_end(const Item& item) {
+void Session::fail_missing_end(const Item& item, const Token* macro_keyword) {
   Diagnostic d = diagnose(Severity::kError, "missing-end", "End of file reached but #end expected.", item.file, item.source);
+  if (macro_keyword != nullptr) {
+    const SourceFile& file = *files[item.file];
+    d.chain.insert(d.chain.begin(), {"'#macro' was opened at", file.name, file.locate(macro_keyword[-1].offset)});
+    report_fatal(std::move(d));
+  }
   const Conditional* const open = stream.conditionals.empty() ? nullptr : &stream.conditionals.back();
   if (open != nullptr && open->start != nullptr && open->frame < stream.frames.size()) {
     const SourceFile& file = *stream.frames[open->frame].file;
@@ -142,7 +188,7 @@ void Session::fail_expected(std::string_view what, const Item& found) {
   Diagnostic d = diagnose(Severity::kError, "expected-token",
                           "Expected '" + std::string(what) + "', " + printed_name(*this, found) + " found instead", found.file,
                           found.source);
-  d.hint = suggestion(found);
+  d.hint = suggestion(found, what);
   report_fatal(std::move(d));
 }
 
@@ -154,12 +200,44 @@ void Session::possible_error(std::string message, std::string code) {
   diagnostics.report(diagnose(Severity::kPossibleError, std::move(code), std::move(message), stream.last_file, stream.last_token));
 }
 
-std::string Session::suggestion(const Item& found) {
+namespace {
+
+// The word can stand where this was expected.
+bool fits(Word word, std::string_view expected, bool behind_hash) {
+  if (behind_hash) return is_directive(word);
+  if (expected == "object or directive") return begins_top_level_statement(word);
+  if (expected != "numeric expression" && expected != "operator") return true;
+  Item item;
+  item.token.kind = TokenKind::kWord;
+  item.token.word = word;
+  return starts_number(item);
+}
+
+}  // namespace
+
+std::string Session::suggestion(const Item& found, std::string_view expected) {
   if (!found.is(TokenKind::kName)) return "";
+  const std::string_view name = names.text(found.token.index);
+  const SourceFile& file = *files[found.file];
+  const bool behind_hash = found.source != nullptr && found.source > file.tokens.data() && found.source[-1].kind == TokenKind::kHash;
+  if (expected == "string expression") return "";
+  const bool is_capital = name.front() >= 'A' && name.front() <= 'Z';
   std::vector<std::string_view> candidates;
-  for (int i = 1; i < static_cast<int>(Word::kWordListEnd); ++i) candidates.push_back(spelling(static_cast<Word>(i)));
-  symbols.for_each_name([&](NameId name) { candidates.push_back(names.text(name)); });
-  const std::string_view nearest = nearest_name(names.text(found.token.index), candidates);
+  for (int i = 1; i < static_cast<int>(Word::kWordListEnd); ++i) {
+    const Word word = static_cast<Word>(i);
+    if (fits(word, expected, behind_hash)) candidates.push_back(spelling(word));
+  }
+  if (expected == "object or directive" && is_capital) {
+    const std::string small = static_cast<char>(name.front() - 'A' + 'a') + std::string(name.substr(1));
+    if (std::ranges::find(candidates, small) != candidates.end()) return "did you mean '" + small + "'?";
+  }
+  if (!behind_hash) {
+    if (!library_names) library_names.emplace(options.library_paths);
+    const std::string include = library_names->file_of(name);
+    if (!include.empty()) return "it is declared in " + include + ": #include \"" + include + "\"";
+  }
+  if (!behind_hash) symbols.for_each_name([&](NameId known) { candidates.push_back(names.text(known)); });
+  const std::string_view nearest = nearest_name(name, candidates);
   return nearest.empty() ? "" : "did you mean '" + std::string(nearest) + "'?";
 }
 

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "parser/diagnostic/library_names.hpp"
 #include "parser/directives/token_stream.hpp"
 #include "parser/expression/code.hpp"
 #include "parser/file_permissions.hpp"
@@ -66,6 +67,8 @@ struct Session {
   bool spline_used = false;  // an experimental feature: told at the end
   bool noise_generator_given = false;  // by global_settings: #version no longer changes it
 
+  std::optional<LibraryNames> library_names;  // read when the first message needs them
+
   DeclareValues declare_values;
   std::unique_ptr<StatementState> statements;
 
@@ -82,11 +85,13 @@ struct Session {
   Diagnostic diagnose(Severity severity, std::string code, std::string message, std::uint32_t file, const Token* token);
   [[noreturn]] void fail(std::string message, std::string code = "scene-error");  // at the token taken last
   [[noreturn]] void fail_at(std::string message, std::string code, const Item& item);
-  [[noreturn]] void fail_missing_end(const Item& item);  // at the end of a file; names what was opened last
+  // At the end of a file; names what was opened last: the #macro whose keyword this is, or the innermost conditional.
+  [[noreturn]] void fail_missing_end(const Item& item, const Token* macro_keyword = nullptr);
   [[noreturn]] void fail_after(std::string message, std::string code, std::string hint);  // behind the token taken last
   [[noreturn]] void fail_expected(std::string_view what, const Item& found);
-  [[noreturn]] void report_fatal(Diagnostic diagnostic);
-  std::string suggestion(const Item& found);  // "did you mean '...'?" for an unknown name, else ""
+  [[noreturn]] void report_fatal(Diagnostic diagnostic);  // with advice
+  // "did you mean '...'?" for an unknown name, or which file declares it; else "". `expected`: what a message says was expected.
+  std::string suggestion(const Item& found, std::string_view expected = "");
   void warn(std::string message, std::string code = "warning");
   void possible_error(std::string message, std::string code = "possible-error");
 };

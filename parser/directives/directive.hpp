@@ -26,8 +26,8 @@ void run_end(Session& session);
 void run_break(Session& session);
 
 // skip.cpp: from the innermost frame's cursor to the next directive of the own level. Its keyword is taken and returned.
-// `to_end`: only #end counts.
-Word skip(Session& session, bool to_end);
+// `to_end`: only #end counts. `macro`: the keyword, if this is the body of a #macro.
+Word skip(Session& session, bool to_end, const Token* macro = nullptr);
 
 // macro.cpp
 void run_macro(Session& session);  // the definition

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "parser/diagnostic/library_names.hpp"
 #include "parser/directives/directive.hpp"
 #include "parser/expression/expression.hpp"
 
@@ -64,13 +65,23 @@ void include_file(Session& session, const std::string& name) {
   SourceFile* const file = path ? session.load(*path) : nullptr;
   if (file == nullptr) {
     session.possible_error("Cannot find file '" + name + "', even after trying to append file type extension.", "missing-file");
-    session.fail("Cannot open include file " + name + ".", "missing-include");
+    Diagnostic d = session.diagnose(Severity::kError, "missing-include", "Cannot open include file " + name + ".", session.stream.last_file,
+                                    session.stream.last_token);
+    const std::string nearest = nearest_include(session.options.library_paths, name);
+    if (!nearest.empty()) d.hint = "did you mean '" + nearest + "'?";
+    session.report_fatal(std::move(d));
   }
   session.stream.enter_file(*file);
 }
 
 void run_include(Session& session) {
-  const std::u16string name = parse_string(session, true);
+  std::u16string name;
+  try {
+    name = parse_string(session, true);
+  } catch (const SceneError&) {
+    session.recovery.miss_include();
+    throw;
+  }
   // A token behind the name that was read while the string ended belongs to this file, not to the included one.
   session.stream.unread();
   include_file(session, to_bytes(session, name));

@@ -25,10 +25,41 @@ std::vector<NameId> parse_parameters(Session& session) {
   }
 }
 
+// "Ball(P, R)", for messages about calls.
+std::string call_form(const Session& session, const Macro& macro) {
+  std::string form(session.names.text(macro.name));
+  for (std::size_t i = 0; i < macro.parameters.size(); ++i) {
+    form += i == 0 ? "(" : ", ";
+    form += session.names.text(macro.parameters[i]);
+  }
+  return form + (macro.parameters.empty() ? "()" : ")");
+}
+
+void close_arguments(Session& session, const Macro& macro) {
+  const Item& next = session.reader.peek();
+  if (!next.is(TokenKind::kRightParen)) {
+    Diagnostic d = session.diagnose(Severity::kError, "expected-token", "Expected ')', " + printed_name(session, next) + " found instead",
+                                    next.file, next.source);
+    d.hint = "the macro is called as " + call_form(session, macro);
+    session.report_fatal(std::move(d));
+  }
+  close_paren(session);
+}
+
+[[noreturn]] void fail_argument_missing(Session& session, const Macro& macro, std::size_t found) {
+  const Item& next = session.reader.peek();
+  const std::string wanted = std::to_string(macro.parameters.size());
+  Diagnostic d = session.diagnose(Severity::kError, "macro-arguments",
+                                  "Expected " + wanted + " parameters but only " + std::to_string(found) + " found.", next.file, next.source);
+  d.hint = "the macro is called as " + call_form(session, macro);
+  session.report_fatal(std::move(d));
+}
+
 }  // namespace
 
 void run_macro(Session& session) {
   TokenStream& stream = session.stream;
+  const Token* const keyword = stream.last_token;
   if (session.language.version < 310) {
     char text[96];
     std::snprintf(text, sizeof text, "Macros require #version 3.1 or later but #version %.2f is set.",
@@ -45,7 +76,7 @@ void run_macro(Session& session) {
   const std::size_t depth = stream.frames.size();
   macro->file = stream.frames.back().file;
   macro->begin = stream.frames.back().cursor;
-  skip(session, true);
+  skip(session, true, keyword);
   if (stream.frames.size() != depth) session.fail("End of file reached but #end expected.", "missing-end");
   macro->end = stream.frames.back().cursor - 2;
   stream.keep(*macro);
@@ -71,14 +102,12 @@ void call_macro(Session& session, const MacroPtr& macro, const Item& name) {
     for (std::size_t i = 0; i < macro->parameters.size(); ++i) {
       // To the reference a file is no argument either: macros use its name.
       if (session.reader.at(TokenKind::kRightParen) || session.reader.at(Word::kT) || session.reader.at_identifier<UserFilePtr>()) {
-        session.fail_at("Expected " + std::to_string(macro->parameters.size()) + " parameters but only " + std::to_string(i) +
-                            " found.",
-                        "macro-arguments", session.reader.peek());
+        fail_argument_missing(session, *macro, i);
       }
       arguments.push_back(parse_value(session, ValueUse::kArgument));
       session.reader.comma();
     }
-    close_paren(session);
+    close_arguments(session, *macro);
   }
   if (session.symbols.table_count() >= SymbolTable::kMostTables) {
     session.fail("Too many nested symbol tables", "nesting");

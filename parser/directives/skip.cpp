@@ -11,7 +11,7 @@ bool stops(Word word, bool to_end) { return word == Word::kEnd || (!to_end && se
 
 }  // namespace
 
-Word skip(Session& session, bool to_end) {
+Word skip(Session& session, bool to_end, const Token* macro) {
   TokenStream& stream = session.stream;
   SourceFile* const start_file = stream.frames.back().file;
   const std::uint32_t key = start_file->token_index(stream.frames.back().cursor) * 2 + (to_end ? 1u : 0u);
@@ -37,7 +37,7 @@ Word skip(Session& session, bool to_end) {
         item.file = frame.file->index;
         item.source = frame.cursor;
         if (token.kind == TokenKind::kError) session.fail_at(frame.file->errors[token.index], "unreadable-text", item);
-        session.fail_missing_end(item);
+        session.fail_missing_end(item, macro);
       }
       stream.frames.pop_back();
       session.symbols.pop_table();

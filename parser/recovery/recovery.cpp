@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "parser/directives/directive.hpp"
+#include "parser/directives/directive_words.hpp"
 #include "parser/recovery/resume_point.hpp"
 
 namespace lute {
@@ -77,6 +78,13 @@ bool Recovery::begins_statement(const Token& token) const {
   return value->holds<MacroPtr>() || value->holds<ObjectPtr>();
 }
 
+// `NAME = VALUE` was meant as a declaration.
+void Recovery::note_assignments(const Token* from, const Token* to) {
+  for (const Token* token = from; token < to; ++token) {
+    if (token->kind == TokenKind::kName && token[1].kind == TokenKind::kEqual) names_.insert(token->index);
+  }
+}
+
 bool Recovery::move_on() {
   TokenStream& stream = session_.stream;
   stream.read_ahead(kMostTokensBehindError);
@@ -95,7 +103,9 @@ bool Recovery::move_on() {
 
   const ResumePoint point = find_resume_point(broken);
   names_.insert(point.names.begin(), point.names.end());
-  lost_ |= point.lost;
+  note_assignments(broken.start, point.token);
+  // Of an #if without its #, the #end is too many.
+  lost_ |= point.lost || (error_ != nullptr && error_ == broken.start && opens_region(*error_));
   if (point.token->kind == TokenKind::kMore) return false;
   frame.cursor = point.token;
   resumed_at_ = point.token;

@@ -32,6 +32,9 @@ class Recovery {
     error_ = token;
   }
 
+  // A file was not included: any name may be declared there.
+  void miss_include() { include_missing_ = true; }
+
   bool any() const { return errors_ > 0; }
   // False once reading behind an error takes too long: what the scene does then is no longer what its author meant.
   bool within_budget() const;
@@ -45,6 +48,7 @@ class Recovery {
   void unwind();
   bool begins_statement(const Token& token) const;
   bool move_on();
+  void note_assignments(const Token* from, const Token* to);
 
   Session& session_;
   std::size_t frames_ = 0, conditionals_ = 0;

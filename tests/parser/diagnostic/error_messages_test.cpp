@@ -13,6 +13,12 @@ TEST(ErrorMessages, AreAsRecorded) {
   expect_golden_scenes(kGolden, true);
 }
 
+TEST(ErrorMessages, OfBeginnersAreAsRecorded) {
+  const std::string golden = kDiagnosticFolder + "beginners.golden";
+  ASSERT_GT(read_golden_scenes(golden).cases.size(), 100u);
+  expect_golden_scenes(golden, true);
+}
+
 // Messages that no scene can bring forth in this test, each with its reason.
 const std::set<std::string> kNotInScenes = {
     "Objects cannot be asked here: no engine is connected.",                    // only without the engine

@@ -1,7 +1,8 @@
 // Balls around a few things, asked one after the other, four at a time: for so few the top of a tree costs more.
 //
-// They are kept in single precision about the middle of all, and so is the point of the ray that is nearest to it: however far
-// away the ray begins, what rounding does is a part of the size of the whole, which the balls are larger by.
+// They are kept in single precision about the middle of all, in radii of the whole, and so is the point of the ray that is nearest to
+// it: at any scale, and however far away the ray begins, what rounding does is a part of the size of the whole, which the balls are
+// larger by.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +49,8 @@ class BoundingBalls {
   }
 
   dvec3 center_{0};
-  double square_ = -1;  // of the radius of a ball around all; negative: nothing there
+  double unit_ = 1;       // 1 / radius of a ball around all
+  double farthest_ = -1;  // square, in radii, of what may be in it; negative: nothing there
   std::vector<Group> groups_;
 };
 
@@ -62,10 +64,11 @@ inline BoundingBalls::BoundingBalls(const std::vector<Ball>& balls) : groups_((b
   center_ = 0.5 * (lo + hi);
   double radius = 0;
   for (const Ball& ball : balls) radius = std::max(radius, glm::length(ball.center - center_) + ball.radius);
-  square_ = radius * radius * (1 + kPlaceMargin);
+  if (radius > 0) unit_ = 1 / radius;
+  farthest_ = 1 + kPlaceMargin;
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    const dvec3 place = balls[i].center - center_;
-    const double wider = balls[i].radius + kPlaceMargin * radius;
+    const dvec3 place = (balls[i].center - center_) * unit_;
+    const double wider = balls[i].radius * unit_ + kPlaceMargin;
     Group& group = groups_[i / kWidth];
     group.x[i % kWidth] = static_cast<float>(place.x);
     group.y[i % kWidth] = static_cast<float>(place.y);
@@ -76,9 +79,9 @@ inline BoundingBalls::BoundingBalls(const std::vector<Ball>& balls) : groups_((b
 
 template <class Visit>
 void BoundingBalls::for_each_near(const Ray& ray, Visit&& visit) const {
-  const dvec3 from = ray.origin - center_, d = ray.direction / glm::length(ray.direction);
+  const dvec3 from = (ray.origin - center_) * unit_, d = ray.direction / glm::length(ray.direction);
   const dvec3 p = from - glm::dot(from, d) * d;
-  if (!(glm::dot(p, p) <= square_)) return;
+  if (!(glm::dot(p, p) <= farthest_)) return;
   const auto px = static_cast<float>(p.x), py = static_cast<float>(p.y), pz = static_cast<float>(p.z);
   const auto dx = static_cast<float>(d.x), dy = static_cast<float>(d.y), dz = static_cast<float>(d.z);
   std::size_t first = 0;
@@ -92,8 +95,8 @@ void BoundingBalls::for_each_near(const Ray& ray, Visit&& visit) const {
 
 template <class Visit>
 void BoundingBalls::for_each_at(const dvec3& point, Visit&& visit) const {
-  const dvec3 p = point - center_;
-  if (!(glm::dot(p, p) <= square_)) return;
+  const dvec3 p = (point - center_) * unit_;
+  if (!(glm::dot(p, p) <= farthest_)) return;
   const auto px = static_cast<float>(p.x), py = static_cast<float>(p.y), pz = static_cast<float>(p.z);
   std::size_t first = 0;
   for (const Group& group : groups_) {

@@ -45,7 +45,7 @@ TEST_P(BoundingBallsAtScale, LosesNoneAndVisitsFewBeside) {
   EXPECT_LT(visited, 1.05 * met);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scales, BoundingBallsAtScale, testing::Values(1e-5, 1.0, 1e5));
+INSTANTIATE_TEST_SUITE_P(Scales, BoundingBallsAtScale, testing::Values(1e-30, 1e-5, 1.0, 1e5, 1e30));
 
 TEST(BoundingBalls, OfNothingVisitNothing) {
   int visited = 0;

@@ -64,6 +64,8 @@ struct Pigment {
   // A plain colour; or a map over the pattern's values (a list pattern is a map with positions 0, 1, 2, ...). monostate: the
   // pattern's default colours, see default_color_map().
   std::variant<std::monostate, Color, ColorMap, PigmentMap> map;
+  // The map that a plain colour covers: it comes back with the next pattern.
+  std::variant<std::monostate, ColorMap, PigmentMap> covered_map;
   std::optional<Color> quick_color;
   std::uint32_t depth = 1;  // of pigments, functions and objects inside each other, this one included
   SourceLocation where;

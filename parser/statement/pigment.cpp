@@ -51,20 +51,41 @@ void parse_list(Reader& reader, Pigment& pigment, BodyKind kind) {
   close_list_pattern(reader, pigment.body);
 }
 
+// The colours of a list count as a map under another pattern, also those that were not written.
+void write_out_list(Pigment& pigment) {
+  if (list_length(pigment.body) > 0 && std::holds_alternative<std::monostate>(pigment.map)) pigment.map = default_color_map(pigment.body);
+}
+
+// A plain colour takes the place of a map, and gives it back to the pattern that follows.
+void cover_map(Pigment& pigment) {
+  if (is_plain_color(pigment)) return;
+  pigment.covered_map = std::monostate{};
+  if (std::holds_alternative<UvMapping>(pigment.body.pattern)) return;
+  if (auto* colors = std::get_if<ColorMap>(&pigment.map)) pigment.covered_map = std::move(*colors);
+  else if (auto* pigments = std::get_if<PigmentMap>(&pigment.map)) pigment.covered_map = std::move(*pigments);
+}
+void uncover_map(Pigment& pigment) {
+  pigment.map = std::monostate{};
+  if (auto* colors = std::get_if<ColorMap>(&pigment.covered_map)) pigment.map = std::move(*colors);
+  else if (auto* pigments = std::get_if<PigmentMap>(&pigment.covered_map)) pigment.map = std::move(*pigments);
+  pigment.covered_map = std::monostate{};
+}
+
 // The pattern's word with all that belongs to it; false if none comes next.
 bool accept_pigment_pattern(Reader& reader, Pigment& pigment, BodyKind kind) {
   if (at_color_word(reader)) {
     if (kind == BodyKind::kFunction) reader.close(Word::kPattern);  // an error: a pattern has no colours
+    write_out_list(pigment);
+    cover_map(pigment);
     pigment.body.pattern = NoPattern{};
     pigment.map = reader.color();
     return true;
   }
-  // What an earlier pattern had as its only content says nothing about the new one.
-  const bool loses_map = is_plain_color(pigment) || std::holds_alternative<UvMapping>(pigment.body.pattern);
-  // The colours of a list count as a map under another pattern, also those that were not written.
-  if (list_length(pigment.body) > 0 && std::holds_alternative<std::monostate>(pigment.map)) pigment.map = default_color_map(pigment.body);
+  const bool was_plain = is_plain_color(pigment), was_uv_mapping = std::holds_alternative<UvMapping>(pigment.body.pattern);
+  write_out_list(pigment);
   if (!accept_pattern(reader, pigment.body, kind).found) return false;
-  if (loses_map) pigment.map = std::monostate{};
+  if (was_plain) uncover_map(pigment);
+  else if (was_uv_mapping) pigment.map = std::monostate{};  // its only content says nothing about the new pattern
   if (std::holds_alternative<UvMapping>(pigment.body.pattern)) {
     PigmentMap map;
     map.entries.push_back({0, parse_pigment_items(reader, nested_base(reader, kind), kind)});

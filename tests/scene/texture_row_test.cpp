@@ -99,6 +99,12 @@ std::vector<Row> rows() {
       {"MappedNormalOfATurnedObject",
        kLamp + "#default { finish { ambient 0 diffuse 1 } } box { -4, 4 pigment { rgb .5 } normal { uv_mapping bumps .6 scale .1 } rotate 20*x }",
        {Rgb(.4757f), Rgb(.4659f), Rgb(.4491f), Rgb(.4396f)}},
+      // A plain colour covers a map, which comes back with the next pattern.
+      {"MapUnderAPlainColor", "#default { pigment { gradient x color_map { [0 rgb x] [1 rgb z] } } } #default { pigment { rgb y } } "
+                              "plane { z, 0 pigment { bozo scale .2 } }",
+       {Rgb(.4414f, 0, .5586f), Rgb(.3822f, 0, .6178f), Rgb(.4874f, 0, .5126f), Rgb(.3361f, 0, .6639f)}},
+      {"ListUnderAPlainColor", "#declare P = pigment { checker } #declare Q = pigment { P rgb y } plane { z, 0 pigment { Q bozo scale .2 } }",
+       {Rgb(0, .5586f, .4414f), Rgb(0, .6178f, .3822f), Rgb(0, .5126f, .4874f), Rgb(0, .6639f, .3361f)}},
       {"MandelColors", "plane { z, 0 pigment { mandel 20 } }", {cyan, cyan, cyan, black}},
       {"MandelOfOtherExponentIsGrey", "plane { z, 0 pigment { mandel 20 exponent 3 } }", {black, Rgb(.2f), Rgb(.2f), black}},
   };

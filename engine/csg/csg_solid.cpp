@@ -17,8 +17,12 @@ CsgSolid::CsgSolid(CsgKind kind, Children children, SharedSolids clips, SharedSo
   for (const auto& child : children_) {
     const auto* leaf = dynamic_cast<const LeafSolid*>(child.get());
     leaves_.push_back(leaf != nullptr && leaf->unclipped() ? leaf : nullptr);
-    if (all_children_needed() && leaves_.back() != nullptr && leaf->limits_rays()) limits_.push_back(leaf);
+    const auto* combination = dynamic_cast<const CsgSolid*>(child.get());
+    dear_ = dear_ || (leaf != nullptr && leaf->shape().prefers_clipped_range()) || (combination != nullptr && combination->dear_);
   }
+  if (all_children_needed())
+    for (const LeafSolid* leaf : leaves_)
+      if (leaf != nullptr && leaf->limits_rays() >= (dear_ ? RayLimits::kForDear : RayLimits::kAlways)) limits_.push_back(leaf);
   opaque = std::ranges::all_of(children_, [](const auto& child) { return child->opaque; });
   hides_children_ =
       !all_children_needed() && std::ranges::any_of(children_, [](const auto& child) { return child->visibility.restricts(); });

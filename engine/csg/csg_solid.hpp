@@ -80,6 +80,7 @@ class CsgSolid final : public Solid {
   CsgKind kind_;
   bool marks_;                   // its mark overwrites that of inner combinations
   bool hides_children_ = false;  // from some kinds of rays
+  bool dear_ = false;            // something in it prefers a shorter range
   bool box_cuts_ = false;        // `box` came from the bounds and may be smaller than the content
   Children children_;
   std::vector<const LeafSolid*> leaves_;  // the children that are unclipped leaves, most of them; null for the others

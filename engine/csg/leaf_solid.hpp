@@ -39,7 +39,7 @@ class LeafSolid final : public Solid {
   }
 
   // Of an unclipped leaf: see Shape::limit.
-  bool limits_rays() const { return !patch_ && shape().limits_rays(); }
+  RayLimits limits_rays() const { return patch_ ? RayLimits::kNever : shape().limits_rays(); }
   bool limit(const Ray& ray, Interval& range) const { return shape().limit(ray, inverted_, range); }
 
   void hits(const Ray& ray, Interval range, RayKind kind, Hits& out) const override;

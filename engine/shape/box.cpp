@@ -75,6 +75,22 @@ class SlabBox final : public ScannedShape<SlabBox> {
   }
   bool tests_own_box() const override { return false; }
   bool finds_bounds_fast() const override { return true; }
+  RayLimits limits_rays() const override { return RayLimits::kForDear; }
+  bool limit(const Ray& ray, bool inverted, Interval& range) const override {
+    if (inverted) return true;
+    const Ray local = turned_ ? to_world_->inverse_ray(ray) : ray;
+    constexpr double kMargin = 1e-9, kLeastSlope = 1e-6;
+    const double size = glm::length(local.direction);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double p = local.origin[axis], d = local.direction[axis];
+      // Where the slope is smaller, the rounding of a point far out exceeds the margin.
+      if (std::abs(d) < kLeastSlope * size) continue;
+      const double margin = kMargin * (std::abs(p) + std::abs(solid_.lo[axis]) + std::abs(solid_.hi[axis]) + glm::length(local.origin));
+      const double a = (solid_.lo[axis] - margin - p) / d, b = (solid_.hi[axis] + margin - p) / d;
+      range = {std::max(range.lo, std::min(a, b)), std::min(range.hi, std::max(a, b))};
+    }
+    return !range.empty();
+  }
 
  private:
   static constexpr std::uint32_t kNone = 6;

@@ -91,6 +91,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
       reach[axis] = std::min(radius_, reach_) * glm::length(dvec3(linear[0][axis], linear[1][axis], linear[2][axis]));
     return {to_world_->translation - reach, to_world_->translation + reach};
   }
+  bool prefers_clipped_range() const override { return true; }
   bool inside(const dvec3& point) const override {
     thread_local Orbit orbit;
     orbit.resize(steps_ + 1);

@@ -68,7 +68,7 @@ class HalfSpace final : public ScannedShape<HalfSpace> {
   dvec3 normal(const ShapeHit&, const dvec3&) const override { return normal_; }
   bool tests_own_box() const override { return false; }
   bool finds_bounds_fast() const override { return true; }
-  bool limits_rays() const override { return true; }
+  RayLimits limits_rays() const override { return RayLimits::kAlways; }
   bool limit(const Ray& ray, bool inverted, Interval& range) const override {
     const dvec3& o = ray.origin;
     const double slope = glm::dot(normal_, ray.direction), below = distance_ - glm::dot(normal_, o);

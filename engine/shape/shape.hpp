@@ -44,6 +44,13 @@ struct TextureWeight {
   static constexpr std::uint32_t kObjectTexture = 0xFFFFFFFF;
 };
 
+// In which intersections a shape is asked where along a ray it lies, before the others are searched for hits.
+enum class RayLimits : std::uint8_t {
+  kNever,
+  kForDear,  // with a shape that prefers a shorter range
+  kAlways
+};
+
 class Shape {
  public:
   virtual ~Shape() = default;
@@ -99,12 +106,13 @@ class Shape {
   // True where the boxes of the shape are found as fast as they could be read: nobody needs to keep them.
   virtual bool finds_bounds_fast() const { return false; }
 
-  // True where finding a hit costs so much, and a shorter range so much less, that clips are asked first where along the ray they are.
+  // True where finding a hit costs so much, and a shorter range so much less, that clips and other members of an intersection
+  // are asked first where along the ray they are.
   virtual bool prefers_clipped_range() const { return false; }
 
-  // For shapes that divide a ray once and fast. Takes from a stretch of a ray what is outside of the shape (inside, when inverted), a
+  // For shapes that divide a ray fast. Takes from a stretch of a ray what is outside of the shape (inside, when inverted), a
   // little generously, so that no point is lost that the inside test accepts. False if nothing is left.
-  virtual bool limits_rays() const { return false; }
+  virtual RayLimits limits_rays() const { return RayLimits::kNever; }
   virtual bool limit(const Ray&, bool /*inverted*/, Interval&) const { return true; }
 };
 

@@ -66,6 +66,21 @@ class RoundSphere : public ScannedShape<RoundSphere> {
   }
   bool tests_own_box() const override { return false; }
   bool finds_bounds_fast() const override { return true; }
+  RayLimits limits_rays() const override { return RayLimits::kForDear; }
+  bool limit(const Ray& ray, bool inverted, Interval& range) const override {
+    if (inverted) return true;
+    constexpr double kMargin = 1e-9;
+    const dvec3& d = ray.direction;
+    const dvec3 w = center_ - ray.origin;
+    const double b = glm::dot(w, d) / glm::dot(d, d);
+    const dvec3 apart = w - b * d;
+    const double slack = kMargin * (std::abs(radius_) + glm::length(w) + glm::length(center_)), reach = std::abs(radius_) + slack;
+    const double h = reach * reach - glm::dot(apart, apart);
+    if (!(h >= 0)) return false;
+    const double half = (std::sqrt(h) + slack) / glm::length(d);
+    range = {std::max(range.lo, b - half), std::min(range.hi, b + half)};
+    return !range.empty();
+  }
 
  protected:
   dvec3 center_;

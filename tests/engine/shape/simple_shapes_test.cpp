@@ -254,6 +254,48 @@ TEST(Plane, LimitsARayToWhereItIsInside) {
   EXPECT_GT(removed, 5000);
 }
 
+// The same of shapes with bounds, by rays that pass them or meet them, from inside or far away.
+void expect_limits_rays(const Shape& shape, double size, int turn, int& removed) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(turn));
+  std::uniform_real_distribution<double> side(-1, 1);
+  const auto draw = [&] { return dvec3(side(random), side(random), side(random)); };
+  const dvec3 aim = 1.2 * size * draw(), origin = (turn % 3 == 0 ? 1000 : 1.5) * size * draw();
+  const Ray ray{origin, glm::normalize(aim - origin)};
+  Interval range{-1e300, 1e300}, inverted = range;
+  const bool left = shape.limit(ray, false, range);
+  ASSERT_TRUE(shape.limit(ray, true, inverted));
+  ASSERT_EQ(inverted.hi, 1e300);  // the outside has no end
+  for (int i = 0; i < 20; ++i) {
+    const double t = glm::length(aim - origin) + 2 * size * side(random);
+    const bool kept = left && range.contains(t);
+    ASSERT_TRUE(kept || !shape.inside(ray.at(t))) << turn;
+    removed += !kept;
+  }
+  // At the surface too, where the test has its tolerance.
+  ShapeHits hits;
+  shape.hits(ray, {-1e300, 1e300}, hits);
+  for (const ShapeHit& hit : hits) ASSERT_TRUE(left && range.contains(hit.t)) << turn;
+}
+
+TEST(Sphere, LimitsARayToWhereItIsInside) {
+  int removed = 0;
+  for (int turn = 0; turn < 3000; ++turn) {
+    const double size = std::pow(10.0, turn % 13 - 6);
+    expect_limits_rays(*make(Sphere{size * dvec3(.2, -.1, .3), .6 * size}), size, turn, removed);
+  }
+  EXPECT_GT(removed, 10000);
+}
+
+TEST(Box, LimitsARayToWhereItIsInside) {
+  int removed = 0;
+  for (int turn = 0; turn < 3000; ++turn) {
+    const double size = std::pow(10.0, turn % 13 - 6);
+    const Box box{size * dvec3(-.4, -.3, -.6), size * dvec3(.5, .4, .2)};
+    expect_limits_rays(*make(box, turn % 2 == 0 ? Transform() : Transform::rotate({20, 30, 40})), size, turn, removed);
+  }
+  EXPECT_GT(removed, 10000);
+}
+
 TEST(Sphere, IsScaleFree) { expect_scale_free([](double s) { return Sphere{dvec3(.1 * s), .9 * s}; }); }
 TEST(Box, IsScaleFree) { expect_scale_free([](double s) { return Box{dvec3(-.7 * s), dvec3(.8 * s)}; }); }
 TEST(Plane, IsScaleFree) { expect_scale_free([](double s) { return Plane{{1, 2, 3}, .3 * s}; }); }

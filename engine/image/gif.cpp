@@ -50,9 +50,10 @@ ColorMapped read_pixels(GifFileType& file, int transparent) {
   ColorMapped image;
   image.width = picture.Width;
   image.height = picture.Height;
-  image.indices.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
   for (int row = 0; row < image.height; ++row) {
-    const auto begin = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width);
+    // Row by row: a short file may promise any size.
+    const std::size_t begin = image.indices.size();
+    image.indices.resize(begin + static_cast<std::size_t>(image.width));
     check(DGifGetLine(&file, &image.indices[begin], image.width), file);
   }
   for (int i = 0; i < colors->ColorCount; ++i) {

@@ -67,14 +67,19 @@ void choose_transformations(const Reader& reader, PngContent& content) {
   png_read_update_info(reader.png, reader.info);
 }
 
-void read_pixels(const Reader& reader, std::uintmax_t file_bytes, PngContent& content) {
+// No deflate stream is longer than 1032 times its file: what a broken header promises is not allocated. To be asked before the
+// transformations are chosen, which make the rows longer.
+void check_length(const Reader& reader, std::uintmax_t file_bytes) {
+  const std::uintmax_t stored = std::uintmax_t{png_get_rowbytes(reader.png, reader.info)} * png_get_image_height(reader.png, reader.info);
+  if (stored / 1032 > file_bytes) throw std::runtime_error("it is too short for its size");
+}
+
+void read_pixels(const Reader& reader, PngContent& content) {
   content.width = static_cast<int>(png_get_image_width(reader.png, reader.info));
   content.height = static_cast<int>(png_get_image_height(reader.png, reader.info));
   content.channels = png_get_channels(reader.png, reader.info);
   const auto samples = static_cast<std::size_t>(content.width) * static_cast<std::size_t>(content.channels);
   const auto rows = static_cast<std::size_t>(content.height);
-  // No deflate stream is longer than 1032 times its file; what a broken header promises is not allocated.
-  if (png_get_rowbytes(reader.png, reader.info) * rows / 1032 > file_bytes) throw std::runtime_error("it is too short for its size");
   std::vector<png_bytep> row(rows);
   if (content.deep) {
     content.words.resize(samples * rows);
@@ -103,8 +108,9 @@ bool read_png(const std::string& path, PngContent& content, std::string& error) 
     if (reader.info == nullptr) throw std::runtime_error("out of memory");
     png_init_io(reader.png, file.get());
     png_read_info(reader.png, reader.info);
+    check_length(reader, std::filesystem::file_size(path));
     choose_transformations(reader, content);
-    read_pixels(reader, std::filesystem::file_size(path), content);
+    read_pixels(reader, content);
     return true;
   } catch (const std::bad_alloc&) {
     throw;

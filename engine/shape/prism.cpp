@@ -155,7 +155,7 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
       x_ = {std::min(x_.lo, segments_.back().x.lo), std::max(x_.hi, segments_.back().x.hi)};
       z_ = {std::min(z_.lo, segments_.back().z.lo), std::max(z_.hi, segments_.back().z.hi)};
     }
-    join_corners();
+    join_corners(prism.spline == PlanarSpline::kBezier);
     for (const PrismSegment& segment : segments_) add_parts(segment);
     box_ = local_box();
     const dvec3 slack = 1e-9 * (box_.hi - box_.lo);
@@ -270,11 +270,13 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
     return {around(a.x, b.x, x_), around(a.z, b.z, z_)};
   }
 
-  // Gives segments that meet the same corner, to the last bit.
-  void join_corners() {
-    for (std::size_t i = 0, start = 0; i < segments_.size(); ++i) {
-      const bool last = i + 1 == segments_.size() || same_point(segments_[i].to, segments_[start].from);
-      segments_[i].to = segments_[last ? start : i + 1].from;
+  // Gives segments that meet the same corner, to the last bit. Those of Bézier splines follow each other backwards.
+  void join_corners(bool backwards) {
+    const std::size_t count = segments_.size();
+    const auto at = [&](std::size_t i) -> PrismSegment& { return segments_[backwards ? count - 1 - i : i]; };
+    for (std::size_t i = 0, start = 0; i < count; ++i) {
+      const bool last = i + 1 == count || same_point(at(i).to, at(start).from);
+      at(i).to = at(last ? start : i + 1).from;
       if (last) start = i + 1;
     }
   }
@@ -292,10 +294,9 @@ class SweptOutline final : public ScannedShape<SweptOutline> {
         for (const double turn : solve_quadratic({c[1], 2 * c[2], 3 * c[3]}, {0, 1})) borders.push_back(turn);
       }
     std::sort(borders.begin(), borders.end());
-    // Straight segments share their corners, to the last bit.
-    dvec2 from = degree_ == 1 ? segment.from : segment.curve.at(0);
+    dvec2 from = segment.from;
     for (std::size_t i = 1; i < borders.size(); ++i) {
-      const dvec2 to = degree_ == 1 ? segment.to : segment.curve.at(borders[i]);
+      const dvec2 to = i + 1 == borders.size() ? segment.to : segment.curve.at(borders[i]);
       parts_.push_back({segment.curve, borders[i - 1], borders[i], from, to});
       from = to;
     }

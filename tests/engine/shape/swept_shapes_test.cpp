@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
 
 #include "engine/shape/lathe.hpp"
 #include "engine/shape/ovus.hpp"
@@ -108,6 +109,44 @@ TEST(Prism, ContainsItsBaseButNotItsTop) {
   EXPECT_TRUE(shape->inside({0, 0, 0}));
   EXPECT_FALSE(shape->inside({0, 1, 0}));
 }
+
+// Points against a polygon of many sides, by the even-odd rule; not those so near the outline that the polygon leaves it.
+class PrismOfCurves : public testing::TestWithParam<PlanarSpline> {};
+
+TEST_P(PrismOfCurves, ContainsWhatAFinePolygonDoes) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> any(-1, 1);
+  int inside = 0;
+  for (int turn = 0; turn < 30; ++turn) {
+    std::vector<dvec2> p;
+    for (int i = 0; i < 9; ++i) p.push_back({any(random), any(random)});
+    // Loops of themselves: closed as each spline wants it.
+    if (GetParam() == PlanarSpline::kBezier) p = {p[0], p[1], p[2], p[3], p[3], p[4], p[5], p[6], p[6], p[7], p[8], p[0]};
+    else p.push_back(p[1]);
+    if (GetParam() == PlanarSpline::kCubic) p.push_back(p[2]);
+    const Prism outline = prism(GetParam(), 0, p);
+    const auto shape = make(outline);
+    std::vector<std::pair<dvec2, dvec2>> sides;
+    constexpr int kSides = 300;
+    for (const PlanarSegment& curve : prism_outline(outline).segments)
+      for (int i = 0; i < kSides; ++i) sides.push_back({curve.at(i / double(kSides)), curve.at((i + 1) / double(kSides))});
+    ASSERT_FALSE(sides.empty());
+    for (int i = 0; i < 200; ++i) {
+      const dvec2 q(any(random), any(random));
+      bool odd = false, near = false;
+      for (const auto& [a, b] : sides) {
+        near = near || glm::length(q - a) < 1e-3 + glm::length(b - a);
+        if ((a.y > q.y) != (b.y > q.y)) odd ^= a.x + (q.y - a.y) / (b.y - a.y) * (b.x - a.x) > q.x;
+      }
+      if (near) continue;
+      EXPECT_EQ(shape->inside({q.x, .5, q.y}), odd) << turn << ' ' << q.x << ' ' << q.y;
+      inside += odd;
+    }
+  }
+  EXPECT_GT(inside, 500);
+}
+
+INSTANTIATE_TEST_SUITE_P(Splines, PrismOfCurves, testing::Values(PlanarSpline::kQuadratic, PlanarSpline::kCubic, PlanarSpline::kBezier));
 
 // Check case 19.
 TEST(Prism, SubCurvesAlternate) {

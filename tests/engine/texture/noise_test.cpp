@@ -5,6 +5,9 @@
 #include <hwy/targets.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -46,6 +49,23 @@ TEST(Noise, TurbulenceIsTheSumOfItsOctaves) {
   }
   EXPECT_NEAR(turbulence(kP2, t, 2), sum, 1e-14);
   EXPECT_LT(glm::length(vector_turbulence(kP2, t) - vector_sum), 1e-14);
+}
+
+// Against the long sine of cycles folded without rounding: all quarters, their ends, both signs, near 0 and far away.
+TEST(CycleSine, IsThatOfTheFractionToTheLastBits) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> any(-4, 4);
+  std::vector<double> cycles{0, 0.25, 0.5, 0.75, 1, 1.25, 1e15 + 0.25, 1e300, 0.5 - 0x1p-54, 0.5 + 0x1p-53, 1 - 0x1p-53, 0x1p-1000};
+  for (int i = 0; i < 20000; ++i) cycles.push_back(std::ldexp(any(random), i % 60 - 40));
+  for (const double size : cycles) {
+    for (const double v : {size, -size}) {
+      const long double turned = std::fabs(v) - std::floor(std::fabs(v)), half = std::min(turned, 1 - turned), quarter = std::min(half, 0.5L - half);
+      const long double expected = std::copysign(1.0L, turned > 0.5L ? -v : v) * std::sin(2 * std::numbers::pi_v<long double> * quarter);
+      const double rounded = static_cast<double>(expected);
+      EXPECT_NEAR(cycle_sine(v), rounded, 2 * std::numeric_limits<double>::epsilon() * std::fabs(rounded)) << v;
+    }
+  }
+  EXPECT_TRUE(std::isnan(cycle_sine(std::numeric_limits<double>::infinity())));
 }
 
 // A picture must not depend on the processor.

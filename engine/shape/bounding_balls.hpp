@@ -1,7 +1,7 @@
 // Balls around a few things, asked one after the other, four at a time: for so few the top of a tree costs more.
 //
 // They are kept in single precision about the middle of all, in radii of the whole, and so is the point of the ray that is nearest to
-// it: at any scale, and however far away the ray begins, what rounding does is a part of the size of the whole, which the balls are
+// it: at any scale, and from up to a billion radii away, what rounding does is a part of the size of the whole, which the balls are
 // larger by.
 #pragma once
 
@@ -32,6 +32,9 @@ class BoundingBalls {
   void for_each_at(const dvec3& point, Visit&& visit) const;
 
  private:
+  // Of balls without measure: none is too far away.
+  void visit_all(std::size_t count);
+
   static constexpr std::size_t kWidth = 4;
   using Four = float __attribute__((vector_size(16)));
   struct Group {
@@ -64,6 +67,10 @@ inline BoundingBalls::BoundingBalls(const std::vector<Ball>& balls) : groups_((b
   center_ = 0.5 * (lo + hi);
   double radius = 0;
   for (const Ball& ball : balls) radius = std::max(radius, glm::length(ball.center - center_) + ball.radius);
+  if (!(radius * radius < std::numeric_limits<double>::max())) {
+    visit_all(balls.size());
+    return;
+  }
   if (radius > 0) unit_ = 1 / radius;
   farthest_ = 1 + kPlaceMargin;
   for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -75,6 +82,13 @@ inline BoundingBalls::BoundingBalls(const std::vector<Ball>& balls) : groups_((b
     group.z[i % kWidth] = static_cast<float>(place.z);
     group.square[i % kWidth] = static_cast<float>(wider * wider) * (1 + kSquareMargin);
   }
+}
+
+inline void BoundingBalls::visit_all(std::size_t count) {
+  center_ = dvec3(0);
+  unit_ = 0;
+  farthest_ = 1;
+  for (std::size_t i = 0; i < count; ++i) groups_[i / kWidth].square[i % kWidth] = std::numeric_limits<float>::infinity();
 }
 
 template <class Visit>

@@ -341,7 +341,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   std::size_t steps_;
   double least_step_;
   std::vector<double> shares_;  // [i]: 2⁻ⁱ or 3⁻ⁱ
-  std::vector<double> steps_least_;  // [i]: of quaternions that leave before step i, products of lengths above this have the least step
+  std::vector<double> steps_least_;  // [i]: of quaternions that leave before step i, products of squares above this have the least step
   double radius_ = 2, escape_ = 4;
   double reach_ = 2;  // starting points that are longer leave
   bool quaternion_ = true, squares_ = false, by_function_ = false;

@@ -97,6 +97,8 @@ bool read_line(std::string_view content, int number, std::vector<IniSection>& se
 }  // namespace ini
 
 std::vector<IniSection> parse_ini(std::string_view text, std::string_view file_name) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   std::vector<IniSection> sections(1);
   int number = 0;
   for (std::size_t begin = 0; begin < text.size();) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -46,6 +47,17 @@ TEST_P(BoundingBallsAtScale, LosesNoneAndVisitsFewBeside) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scales, BoundingBallsAtScale, testing::Values(1e-30, 1e-5, 1.0, 1e5, 1e30));
+
+TEST(BoundingBalls, BeyondMeasureHideNoOthers) {
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double far : {1e160, 1e308, inf}) {
+    const BoundingBalls balls({{dvec3(0), 1}, {dvec3(far, 0, 0), 1}});
+    int seen = 0;
+    balls.for_each_near({dvec3(0, 0, -5), dvec3(0, 0, 1)}, [&](std::size_t i) { seen += i == 0; });
+    balls.for_each_at(dvec3(0.5), [&](std::size_t i) { seen += i == 0; });
+    EXPECT_EQ(seen, 2) << far;
+  }
+}
 
 TEST(BoundingBalls, OfNothingVisitNothing) {
   int visited = 0;

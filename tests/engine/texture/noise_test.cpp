@@ -59,7 +59,8 @@ TEST(CycleSine, IsThatOfTheFractionToTheLastBits) {
   for (int i = 0; i < 20000; ++i) cycles.push_back(std::ldexp(any(random), i % 60 - 40));
   for (const double size : cycles) {
     for (const double v : {size, -size}) {
-      const long double turned = std::fabs(v) - std::floor(std::fabs(v)), half = std::min(turned, 1 - turned), quarter = std::min(half, 0.5L - half);
+      const long double turned = std::fabs(v) - std::floor(std::fabs(v));
+      const long double half = std::min(turned, 1 - turned), quarter = std::min(half, 0.5L - half);
       const long double expected = std::copysign(1.0L, turned > 0.5L ? -v : v) * std::sin(2 * std::numbers::pi_v<long double> * quarter);
       const double rounded = static_cast<double>(expected);
       EXPECT_NEAR(cycle_sine(v), rounded, 2 * std::numeric_limits<double>::epsilon() * std::fabs(rounded)) << v;

@@ -34,7 +34,8 @@ struct JuliaFractal {
   Algebra algebra = Algebra::kQuaternion;
   Function function = Function::kSqr;
   dvec2 exponent{0};         // of kPwr, complex
-  int max_iteration = 20;    // at least 1
+  static constexpr int kMostIterations = 1'000'000;
+  int max_iteration = 20;    // 1 to kMostIterations
   double precision = 20;     // at least 1
   dvec4 slice{0, 0, 0, 1};   // of unit length, w not 0
   double slice_distance = 0;

@@ -60,11 +60,16 @@ std::uint64_t resource_limit(int resource) {
   rlimit limit{};
   if (getrlimit(static_cast<decltype(RLIMIT_AS)>(resource), &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kNoMemoryLimit;
   const ProcessPages pages = process_pages();
-  const std::uint64_t unused = pages.mapped > pages.resident ? (pages.mapped - pages.resident) * page_bytes() : 0;
-  return limit.rlim_cur > unused ? limit.rlim_cur - unused : 1;
+  return memory_under_limit(limit.rlim_cur, pages.mapped, pages.resident, page_bytes());
 }
 
 }  // namespace
+
+std::uint64_t memory_under_limit(std::uint64_t limit, std::uint64_t mapped_pages, std::uint64_t resident_pages,
+                                 std::uint64_t page_bytes) {
+  const std::uint64_t unused = mapped_pages > resident_pages ? (mapped_pages - resident_pages) * page_bytes : 0;
+  return limit > unused ? limit - unused : 1;
+}
 
 std::uint64_t control_group_memory(std::string_view membership, const std::filesystem::path& mount) {
   std::uint64_t least = kNoMemoryLimit;

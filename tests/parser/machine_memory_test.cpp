@@ -55,7 +55,20 @@ TEST_F(MachineMemory, WithoutGroupsThereIsNoLimitOfTheirs) {
   EXPECT_EQ(control_group_memory("nonsense\n0::/gone\n", mount_), kNoMemoryLimit);
 }
 
-// Address space that was mapped before counts where it is not in use, so that the process has less than the limit.
+// 100 pages are mapped, 40 in use: the other 60 are lost to the process.
+TEST(MemoryUnderLimit, MappedPagesThatAreNotInUseAreTakenOff) {
+  EXPECT_EQ(memory_under_limit(1'000'000, 100, 40, 4096), 1'000'000u - 60 * 4096);
+  EXPECT_EQ(memory_under_limit(1'000'000, 100, 100, 4096), 1'000'000u);
+  EXPECT_EQ(memory_under_limit(4'000'000, 100, 40, 65536), 4'000'000u - 60 * 65536);
+}
+
+TEST(MemoryUnderLimit, IsNeverNothing) {
+  EXPECT_EQ(memory_under_limit(60 * 4096, 100, 40, 4096), 1u);
+  EXPECT_EQ(memory_under_limit(60 * 4096 + 2, 100, 40, 4096), 2u);
+  EXPECT_EQ(memory_under_limit(1000, 100, 40, 4096), 1u);
+  EXPECT_EQ(memory_under_limit(1000, 40, 100, 4096), 1000u);  // counted at different moments
+}
+
 TEST_F(MachineMemory, TheResourceLimitCounts) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer's shadow needs more address space than the limit";

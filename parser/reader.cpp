@@ -1,5 +1,6 @@
 #include "parser/reader.hpp"
 
+#include "parser/diagnostic/suggestion.hpp"
 #include "parser/expression/expression.hpp"
 #include "parser/session.hpp"
 
@@ -57,7 +58,7 @@ void Reader::close(Word keyword) {
         Severity::kError, "missing-brace",
         "No matching } in '" + std::string(spelling(keyword)) + "', " + printed_name(session_, next) + " found instead", next.file,
         next.source);
-    diagnostic.hint = session_.suggestion(next);
+    diagnostic.hint = suggestion(session_, next, "", spelling(keyword));
     if (!session_.open_blocks.empty()) {
       const OpenBlock& block = session_.open_blocks.back();
       const SourceLocation where = session_.locate(block.file, block.keyword);
@@ -151,7 +152,9 @@ SourceLocation Reader::next_location() {
   return session_.locate(next.file, next.source);
 }
 
-void Reader::error(std::string message, std::string code) { session_.fail(std::move(message), std::move(code)); }
+void Reader::error(std::string message, std::string code, std::string hint) {
+  session_.fail(std::move(message), std::move(code), std::move(hint));
+}
 void Reader::error_expected(std::string_view what) { session_.fail_expected(what, peek()); }
 
 void Reader::warning(std::string message, int level) {

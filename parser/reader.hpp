@@ -110,7 +110,7 @@ class Reader {
   // Places and messages.
   SourceLocation location() const;         // of the token taken last
   SourceLocation next_location();          // of the token that comes next
-  [[noreturn]] void error(std::string message, std::string code = "scene-error");           // at the token taken last
+  [[noreturn]] void error(std::string message, std::string code = "scene-error", std::string hint = "");  // at the token taken last
   [[noreturn]] void error_expected(std::string_view what);  // Expected 'what', <next token> found instead
   // A warning whose level is at or above the language version is silent (chapter 11 §1.7).
   void warning(std::string message, int level = 0);

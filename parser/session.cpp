@@ -5,8 +5,9 @@
 #include <filesystem>
 
 #include "parser/diagnostic/advice.hpp"
+#include "parser/diagnostic/block_advice.hpp"
 #include "parser/diagnostic/context_advice.hpp"
-#include "parser/diagnostic/statement_form.hpp"
+#include "parser/diagnostic/suggestion.hpp"
 #include "parser/directives/directive_words.hpp"
 #include "parser/expression/expression.hpp"
 #include "parser/statement/statement.hpp"
@@ -96,41 +97,6 @@ Diagnostic Session::diagnose(Severity severity, std::string code, std::string me
   return d;
 }
 
-namespace {
-
-// Between the keyword of the block and the mistake stand numbers and vectors only.
-bool is_head(const SourceFile& file, const Token* keyword, const SourceLocation& mistake) {
-  constexpr int kLongestHead = 100;
-  const Token* const end = file.tokens.data() + file.tokens.size();
-  for (const Token* token = keyword + 1; token < end && token < keyword + kLongestHead; ++token) {
-    const SourceLocation where = file.locate(token->offset);
-    if (std::pair(where.line, where.column) >= std::pair(mistake.line, mistake.column)) return true;
-    Item item;
-    item.token = *token;
-    if (token->kind == TokenKind::kWord && !starts_number(item)) return false;
-  }
-  return false;
-}
-
-// How the object is written that a wrong value stands at the beginning of, or "".
-std::string form_of_block(const Session& session, const Diagnostic& d) {
-  const std::string_view message = d.message;
-  const bool about_value = message.starts_with("Expected 'numeric expression'") || message.starts_with("Float expected") ||
-                           message.starts_with("Vector expected") || (message.starts_with("No matching } in") && message.ends_with(",  found instead"));
-  if (session.open_blocks.empty() || !about_value || message.find("undeclared identifier") != std::string_view::npos ||
-      message.ends_with(", ) found instead")) return "";
-  const OpenBlock& block = session.open_blocks.back();
-  if (block.keyword == nullptr || block.keyword->kind != TokenKind::kWord || block.file != d.where.file) return "";
-  const std::string_view form = statement_form(spelling(block.keyword->word));
-  if (form.empty() || !is_head(*session.files[block.file], block.keyword, d.where)) return "";
-  const std::string_view what = message.starts_with("Float expected")    ? "a number belongs here: "
-                                : message.starts_with("Vector expected") ? "a vector <x, y, z> belongs here: "
-                                                                         : "written as ";
-  return std::string(what) + std::string(form);
-}
-
-}  // namespace
-
 void Session::report_fatal(Diagnostic diagnostic) {
   if (std::string hint = context_advice(diagnostic); !hint.empty()) diagnostic.hint = std::move(hint);
   if (diagnostic.hint.empty()) diagnostic.hint = form_of_block(*this, diagnostic);
@@ -138,13 +104,15 @@ void Session::report_fatal(Diagnostic diagnostic) {
   throw SceneError(std::move(diagnostic));
 }
 
-void Session::fail(std::string message, std::string code) {
-  report_fatal(diagnose(Severity::kError, std::move(code), std::move(message), stream.last_file, stream.last_token));
+void Session::fail(std::string message, std::string code, std::string hint) {
+  Diagnostic d = diagnose(Severity::kError, std::move(code), std::move(message), stream.last_file, stream.last_token);
+  d.hint = std::move(hint);
+  report_fatal(std::move(d));
 }
 
 void Session::fail_at(std::string message, std::string code, const Item& item) {
   Diagnostic d = diagnose(Severity::kError, std::move(code), std::move(message), item.file, item.source);
-  d.hint = suggestion(item);
+  d.hint = suggestion(*this, item);
   report_fatal(std::move(d));
 }
 
@@ -188,57 +156,19 @@ void Session::fail_expected(std::string_view what, const Item& found) {
   Diagnostic d = diagnose(Severity::kError, "expected-token",
                           "Expected '" + std::string(what) + "', " + printed_name(*this, found) + " found instead", found.file,
                           found.source);
-  d.hint = suggestion(found, what);
+  d.hint = about_parenthesis(*this, what, found);
+  if (d.hint.empty()) d.hint = suggestion(*this, found, what);
   report_fatal(std::move(d));
 }
 
 void Session::warn(std::string message, std::string code) {
-  diagnostics.report(diagnose(Severity::kWarning, std::move(code), std::move(message), stream.last_file, stream.last_token));
+  Diagnostic d = diagnose(Severity::kWarning, std::move(code), std::move(message), stream.last_file, stream.last_token);
+  d.hint = advice(d);
+  diagnostics.report(std::move(d));
 }
 
 void Session::possible_error(std::string message, std::string code) {
   diagnostics.report(diagnose(Severity::kPossibleError, std::move(code), std::move(message), stream.last_file, stream.last_token));
-}
-
-namespace {
-
-// The word can stand where this was expected.
-bool fits(Word word, std::string_view expected, bool behind_hash) {
-  if (behind_hash) return is_directive(word);
-  if (expected == "object or directive") return begins_top_level_statement(word);
-  if (expected != "numeric expression" && expected != "operator") return true;
-  Item item;
-  item.token.kind = TokenKind::kWord;
-  item.token.word = word;
-  return starts_number(item);
-}
-
-}  // namespace
-
-std::string Session::suggestion(const Item& found, std::string_view expected) {
-  if (!found.is(TokenKind::kName)) return "";
-  const std::string_view name = names.text(found.token.index);
-  const SourceFile& file = *files[found.file];
-  const bool behind_hash = found.source != nullptr && found.source > file.tokens.data() && found.source[-1].kind == TokenKind::kHash;
-  if (expected == "string expression") return "";
-  const bool is_capital = name.front() >= 'A' && name.front() <= 'Z';
-  std::vector<std::string_view> candidates;
-  for (int i = 1; i < static_cast<int>(Word::kWordListEnd); ++i) {
-    const Word word = static_cast<Word>(i);
-    if (fits(word, expected, behind_hash)) candidates.push_back(spelling(word));
-  }
-  if (expected == "object or directive" && is_capital) {
-    const std::string small = static_cast<char>(name.front() - 'A' + 'a') + std::string(name.substr(1));
-    if (std::ranges::find(candidates, small) != candidates.end()) return "did you mean '" + small + "'?";
-  }
-  if (!behind_hash) {
-    if (!library_names) library_names.emplace(options.library_paths);
-    const std::string include = library_names->file_of(name);
-    if (!include.empty()) return "it is declared in " + include + ": #include \"" + include + "\"";
-  }
-  if (!behind_hash) symbols.for_each_name([&](NameId known) { candidates.push_back(names.text(known)); });
-  const std::string_view nearest = nearest_name(name, candidates);
-  return nearest.empty() ? "" : "did you mean '" + std::string(nearest) + "'?";
 }
 
 namespace {

@@ -83,15 +83,13 @@ struct Session {
 
   // Messages at a token; the chain of includes and macro calls is added.
   Diagnostic diagnose(Severity severity, std::string code, std::string message, std::uint32_t file, const Token* token);
-  [[noreturn]] void fail(std::string message, std::string code = "scene-error");  // at the token taken last
+  [[noreturn]] void fail(std::string message, std::string code = "scene-error", std::string hint = "");  // at the token taken last
   [[noreturn]] void fail_at(std::string message, std::string code, const Item& item);
   // At the end of a file; names what was opened last: the #macro whose keyword this is, or the innermost conditional.
   [[noreturn]] void fail_missing_end(const Item& item, const Token* macro_keyword = nullptr);
   [[noreturn]] void fail_after(std::string message, std::string code, std::string hint);  // behind the token taken last
   [[noreturn]] void fail_expected(std::string_view what, const Item& found);
   [[noreturn]] void report_fatal(Diagnostic diagnostic);  // with advice
-  // "did you mean '...'?" for an unknown name, or which file declares it; else "". `expected`: what a message says was expected.
-  std::string suggestion(const Item& found, std::string_view expected = "");
   void warn(std::string message, std::string code = "warning");
   void possible_error(std::string message, std::string code = "possible-error");
 };

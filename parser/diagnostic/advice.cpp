@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
 
 namespace lute {
 
@@ -34,7 +36,8 @@ constexpr Advice kAdvice[] = {
     {"Expected 'object or directive'", "/", "put the whole expression in parentheses"},
     {"Expected 'object or directive'", "+", "put the whole expression in parentheses"},
     {"Expected 'object or directive'", "local", "directives begin with #: #local NAME = ..."},
-    {"Expected 'object or directive'", "{", "in front of { stands a keyword: a declared object is used as object { NAME }; directives need no braces"},
+    {"Expected 'object or directive'", "{",
+     "in front of { stands a keyword: a declared object is used as object { NAME }; directives need no braces"},
     {"Expected 'object or directive'", "cube", "a cube is a box: box { <corner>, <opposite corner> }"},
     {"Expected 'object or directive'", "assumed_gamma", "it belongs inside global_settings { ... }"},
     {"Expected 'object or directive'", "translate", "it belongs inside the block of the object that it moves, in front of the }"},
@@ -55,13 +58,6 @@ constexpr Advice kAdvice[] = {
     {"No matching } in", "rgb", "a colour stands inside pigment { ... }"},
     {"No matching } in", "color", "a colour stands inside pigment { ... }"},
     {"No matching } in", "colour", "a colour stands inside pigment { ... }"},
-    {"No matching } in", "phong", "it belongs inside finish { ... }"},
-    {"No matching } in", "specular", "it belongs inside finish { ... }"},
-    {"No matching } in", "reflection", "it belongs inside finish { ... }"},
-    {"No matching } in", "ambient", "it belongs inside finish { ... }"},
-    {"No matching } in", "diffuse", "it belongs inside finish { ... }"},
-    {"No matching } in", "metallic", "it belongs inside finish { ... }"},
-    {"No matching } in", "ior", "it belongs inside interior { ... }"},
     {"No matching } in", "-", "objects stand one behind the other, without signs"},
     {"No matching } in", "", "in front of this a } is missing, or it does not belong in the block"},
     {"All #declares of float", "", "write ';' behind the value"},
@@ -130,12 +126,10 @@ constexpr Advice kAdvice[] = {
 
     // Arrays.
     {"Negative subscript", "", "elements are counted from 0"},
-    {"Array subscript out of range", "", "the elements of array[N] are 0 to N-1"},
     {"Recursive function calls", "", "a macro may call itself, a function may not"},
     {"Attempt to access uninitialized array element", "", "assign it first: #declare A[i] = ..."},
     {"Attempted to redefine", "", "all elements of an array have the type of the first that was assigned"},
     {"An array declaration must", "", "its size stands in brackets: array[3], or array[3] { 1, 2, 3 }"},
-    {"Mesh face index out of range", "", "vertices are counted from 0"},
     {"Invalid dimension size", "", "sizes are at least 1: array[N]"},
     {"Too many array dimensions", "", "an array has at most 5"},
 
@@ -169,6 +163,7 @@ constexpr Advice kAdvice[] = {
     {"Degenerate plane normal", "", "plane { <0, 1, 0>, distance }"},
     {"Must have at least one color", "", "entries stand in brackets: [0 rgb 0] [1 rgb 1]"},
     {"Must have at least one entry", "", "entries stand in brackets: [0 ...] [1 ...]"},
+    {"Quick color belongs in texture", "", "a colour stands inside pigment { ... }: pigment { color rgb 1 }"},
     {"split_union found in non-union", "", "split_union belongs inside a union"},
 };
 
@@ -187,6 +182,13 @@ std::string advice(const Diagnostic& diagnostic) {
     if (diagnostic.message.starts_with(row.message) && (row.found.empty() || row.found == found)) return std::string(row.hint);
   }
   return "";
+}
+
+std::string index_advice(std::string_view what, std::size_t count, double index) {
+  if (count == 0) return "there are none of " + std::string(what);
+  char written[32];
+  std::snprintf(written, sizeof written, "%.12g", std::trunc(index));
+  return std::string(what) + " are counted from 0 to " + std::to_string(count - 1) + ", this is " + written;
 }
 
 }  // namespace lute

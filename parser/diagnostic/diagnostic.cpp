@@ -144,17 +144,30 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+constexpr std::size_t kFewest = 3;  // letters: shorter names are near to everything
+
+char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool differ_in_case_only(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, small, small); }
+
+// A slip at the first letter is rare: of a short word with another one too little is left.
+std::size_t slips_between(std::string_view name, std::string_view candidate) {
+  if (differ_in_case_only(name, candidate)) return 0;
+  const bool begins_otherwise = name.size() <= 4 && small(name.front()) != small(candidate.front());
+  return edit_distance(name, candidate) + (begins_otherwise ? 1u : 0u);
+}
+
 }  // namespace
 
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates) {
   std::string_view best;
-  if (name.size() < 3) return best;  // everything is near
-  std::size_t best_distance = name.size() <= 3 ? 1 : name.size() <= 7 ? 2 : 3;
+  std::size_t best_distance = name.size() < kFewest ? 0 : name.size() == 3 ? 1 : name.size() <= 7 ? 2 : 3;
   for (const std::string_view candidate : candidates) {
     const std::size_t difference =
         candidate.size() > name.size() ? candidate.size() - name.size() : name.size() - candidate.size();
     if (candidate == name || candidate.empty() || difference > best_distance) continue;
-    const std::size_t distance = edit_distance(name, candidate);
+    const std::size_t distance = slips_between(name, candidate);
+    if (distance > 0 && candidate.size() < kFewest) continue;
     if (distance < best_distance || (distance == best_distance && best.empty())) {
       best = candidate;
       best_distance = distance;

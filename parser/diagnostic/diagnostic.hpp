@@ -71,7 +71,8 @@ std::string to_text(const Diagnostic& diagnostic);
 // A JSON array of objects {severity, code, file, line, column, endColumn, message, hint, chain: [...]}.
 std::string to_json(std::span<const Diagnostic> diagnostics);
 
-// The candidate nearest to `name` in edit distance, if near enough to be a slip; else "".
+// The candidate nearest to `name` in edit distance, if near enough to be a slip; else "". One that differs in case only is the nearest;
+// of equally near ones the first counts.
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates);
 
 }  // namespace lute

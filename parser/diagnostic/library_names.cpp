@@ -7,6 +7,7 @@
 #include <iterator>
 #include <vector>
 
+#include "parser/diagnostic/blank.hpp"
 #include "parser/diagnostic/diagnostic.hpp"
 
 namespace lute {
@@ -27,7 +28,6 @@ std::vector<fs::path> include_files(const std::string& folder) {
   return files;
 }
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
 bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 // The names behind each `keyword` and blanks, in the order of the text.
@@ -57,16 +57,20 @@ LibraryNames::LibraryNames(std::span<const std::string> folders) {
   for (const std::string& folder : folders) {
     for (const fs::path& file : include_files(folder)) {
       const std::string text = text_of(file);
-      const auto add = [&](std::string_view name) { files_.emplace(name, file.filename().string()); };
+      const std::string file_name = file.filename().string();
+      const auto add = [&](std::string_view name) {
+        std::vector<std::string>& files = files_[std::string(name)];
+        if (files.empty() || files.back() != file_name) files.push_back(file_name);
+      };
       for_each_name_behind(text, "#declare", add);
       for_each_name_behind(text, "#macro", add);
     }
   }
 }
 
-std::string LibraryNames::file_of(std::string_view name) const {
+std::span<const std::string> LibraryNames::files_of(std::string_view name) const {
   const auto found = files_.find(std::string(name));
-  return found == files_.end() ? "" : found->second;
+  return found == files_.end() ? std::span<const std::string>() : std::span<const std::string>(found->second);
 }
 
 std::string nearest_include(std::span<const std::string> folders, std::string_view name) {

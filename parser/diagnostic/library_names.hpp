@@ -6,20 +6,20 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 namespace lute {
 
 class LibraryNames {
  public:
-  // All names behind `#declare` and `#macro` in the .inc files of the folders. Of two files with a name the first counts, by the order
-  // of the folders, then by that of the file names.
+  // All names behind `#declare` and `#macro` in the .inc files of the folders.
   explicit LibraryNames(std::span<const std::string> folders);
 
-  // The name of the file, or "".
-  std::string file_of(std::string_view name) const;
+  // The names of the files that declare it, in the order of the folders, then of the file names.
+  std::span<const std::string> files_of(std::string_view name) const;
 
  private:
-  std::unordered_map<std::string, std::string> files_;
+  std::unordered_map<std::string, std::vector<std::string>> files_;
 };
 
 // The .inc file of the folders whose name is nearest to `name`, near enough to be a slip; else "".

@@ -1,6 +1,8 @@
 // #declare #local #undef, and what may stand on the right of their `=`. Source: specification chapter 10 §3.
 #include <algorithm>
 
+#include "parser/diagnostic/advice.hpp"
+#include "parser/diagnostic/suggestion.hpp"
 #include "parser/directives/directive.hpp"
 #include "parser/expression/expression.hpp"
 #include "parser/expression/nesting.hpp"
@@ -181,7 +183,9 @@ std::size_t select_element(Session& session, const Array& array, std::uint16_t& 
     const double subscript = session.reader.number() + kEpsilon;
     session.reader.expect(TokenKind::kRightSquare);
     if (subscript < 0) session.fail("Negative subscript", "subscript");
-    if (!(subscript < size)) session.fail("Array subscript out of range", "subscript");
+    if (!(subscript < size)) {
+      session.fail("Array subscript out of range", "subscript", index_advice("the elements", static_cast<std::size_t>(size), subscript));
+    }
     index = index * static_cast<std::size_t>(size) + static_cast<std::size_t>(subscript);
     ++subscripts;
   }
@@ -251,8 +255,12 @@ void end_declaration(Session& session, bool numeric) {
       "Either add the semi-colon or set the language version to 3.1 or lower.";
   if (session.language.version >= 350) {
     const bool compares = is_comparison(stream.peek().token.kind);
+    const bool lacks_color = stream.last_token != nullptr && stream.last_token->kind == TokenKind::kWord &&
+                             stream.last_token->word == Word::kColor;
     session.fail_after(message, "missing-semicolon",
-                       compares ? "comparisons and & | ? need parentheses around the whole expression here" : "");
+                       compares      ? "comparisons and & | ? need parentheses around the whole expression here"
+                       : lacks_color ? suggestion(session, stream.peek())
+                                     : "");
   }
   if (session.language.version >= 310) session.possible_error(message, "missing-semicolon");
 }

@@ -84,6 +84,11 @@ void run_include(Session& session) {
   }
   // A token behind the name that was read while the string ended belongs to this file, not to the included one.
   session.stream.unread();
+  // A name without its end quote is the rest of the file.
+  const Token* const next = session.stream.frames.back().cursor;
+  const bool is_open = next->kind == TokenKind::kError && session.stream.last_token != nullptr &&
+                       session.stream.last_token->kind == TokenKind::kString && next->offset == session.stream.last_token->offset;
+  if (is_open) session.stream.peek();  // throws
   include_file(session, to_bytes(session, name));
 }
 

@@ -1,5 +1,6 @@
 #include "parser/expression/code.hpp"
 
+#include "parser/diagnostic/advice.hpp"
 #include "parser/expression/recorder.hpp"
 #include "parser/value/array.hpp"
 
@@ -113,7 +114,10 @@ std::size_t element_index(Session& session, const Array& array, const Number* su
   for (std::size_t i = 0; i < array.sizes.size(); ++i) {
     const double subscript = promoted(session, subscripts[i], 1).c[0] + kEpsilon;
     if (subscript < 0) session.fail("Negative subscript", "subscript");
-    if (!(subscript < array.sizes[i])) session.fail("Array subscript out of range", "subscript");
+    if (!(subscript < array.sizes[i])) {
+      session.fail("Array subscript out of range", "subscript",
+                   index_advice("the elements", static_cast<std::size_t>(array.sizes[i]), subscript));
+    }
     index = index * static_cast<std::size_t>(array.sizes[i]) + static_cast<std::size_t>(subscript);
   }
   return index;

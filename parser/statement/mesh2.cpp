@@ -1,6 +1,7 @@
 // mesh2 { vertex_vectors {...} ... face_indices {...} ... } (specification chapter 21 §3.3).
 #include <algorithm>
 
+#include "parser/diagnostic/advice.hpp"
 #include "parser/session.hpp"
 #include "parser/statement/mesh_builder.hpp"
 #include "parser/statement/simple_shape.hpp"
@@ -116,12 +117,14 @@ Mesh2Lists parse_lists(Reader& reader) {
   return lists;
 }
 
-Indices parse_index_triple(Reader& reader, std::size_t list_size, const char* message) {
+Indices parse_index_triple(Reader& reader, std::size_t list_size, const char* message, const char* what) {
   const dvec3 written = reader.vector();
   Indices indices{};
   for (int i = 0; i < 3; ++i) {
     const double index = std::trunc(written[i]);
-    if (!(index >= 0 && index < static_cast<double>(list_size))) reader.error(message);
+    if (!(index >= 0 && index < static_cast<double>(list_size))) {
+      reader.error(message, "scene-error", index_advice(what, list_size, index));
+    }
     indices[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(index);
   }
   return indices;
@@ -136,7 +139,7 @@ void parse_faces(Reader& reader, const Mesh2Lists& lists, MeshData& data) {
   make_room(reader, data.faces, size);
   if (!lists.textures.empty()) make_room(reader, data.texture_indices, size);
   for (int i = 0; i < size; ++i) {
-    data.faces.push_back(parse_index_triple(reader, data.vertices.size(), "Mesh face index out of range."));
+    data.faces.push_back(parse_index_triple(reader, data.vertices.size(), "Mesh face index out of range.", "the vertices"));
     reader.comma();
     Indices textures{kNone, kNone, kNone};
     for (std::uint32_t& texture : textures) {
@@ -146,7 +149,7 @@ void parse_faces(Reader& reader, const Mesh2Lists& lists, MeshData& data) {
       if (!number) break;
       reader.comma();
       if (!(*number >= 0 && std::trunc(*number) < static_cast<double>(lists.textures.size())))
-        reader.error("Texture index out of range in mesh2.");
+        reader.error("Texture index out of range in mesh2.", "scene-error", index_advice("the textures", lists.textures.size(), *number));
       texture = static_cast<std::uint32_t>(*number);
     }
     if (textures[1] == kNone || textures[2] == kNone) textures[1] = textures[2] = kNone;
@@ -157,15 +160,15 @@ void parse_faces(Reader& reader, const Mesh2Lists& lists, MeshData& data) {
 
 // `fits`: whether a list may have that size.
 template <class Fits>
-std::vector<Indices> parse_index_list(Reader& reader, Word keyword, std::size_t list_size, const char* message, Fits fits,
-                                      const char* size_message) {
+std::vector<Indices> parse_index_list(Reader& reader, Word keyword, std::size_t list_size, const char* message, const char* what,
+                                      Fits fits, const char* size_message) {
   reader.open(keyword);
   std::vector<Indices> list;
   const int size = parse_list_size(reader);
   if (!fits(static_cast<std::size_t>(std::max(size, 0)))) reader.error(size_message);
   make_room(reader, list, size);
   for (int i = 0; i < size; ++i) {
-    list.push_back(parse_index_triple(reader, list_size, message));
+    list.push_back(parse_index_triple(reader, list_size, message, what));
     reader.comma();
   }
   reader.close(keyword);
@@ -226,11 +229,11 @@ Mesh parse_mesh2(Reader& reader) {
   std::optional<std::vector<Indices>> uv, normals;
   while (true) {
     if (!uv && reader.accept(Word::kUvIndices))
-      uv = parse_index_list(reader, Word::kUvIndices, data->uvs.size(), "Mesh UV index out of range.", as_many,
-                            "Number of uv indices must equal number of faces.");
+      uv = parse_index_list(reader, Word::kUvIndices, data->uvs.size(), "Mesh UV index out of range.", "the uv vectors",
+                            as_many, "Number of uv indices must equal number of faces.");
     else if (!normals && reader.accept(Word::kNormalIndices))
-      normals = parse_index_list(reader, Word::kNormalIndices, data->normals.size(), "Mesh normal index out of range.", no_more,
-                                 "Number of normal indices cannot be more than the number of faces.");
+      normals = parse_index_list(reader, Word::kNormalIndices, data->normals.size(), "Mesh normal index out of range.",
+                                 "the normals", no_more, "Number of normal indices cannot be more than the number of faces.");
     else break;
   }
   settle_uv(reader, *data, uv);

@@ -66,5 +66,26 @@ TEST(NearestName, IsNearOrNothing) {
   EXPECT_EQ(nearest_name("banana", words), "");
 }
 
+TEST(NearestName, DiffersInCaseAtNoCost) {
+  const std::string_view words[] = {"all", "Ball", "fog", "image_width", "r"};
+  EXPECT_EQ(nearest_name("ball", words), "Ball");
+  EXPECT_EQ(nearest_name("IMAGE_WIDTH", words), "image_width");
+  EXPECT_EQ(nearest_name("R", words), "r");
+  EXPECT_EQ(nearest_name("s", words), "");
+  EXPECT_EQ(nearest_name("Foo", words), "");
+}
+
+TEST(NearestName, AShortOneRarelyBeginsOtherwise) {
+  const std::string_view words[] = {"red", "gray"};
+  EXPECT_EQ(nearest_name("grey", words), "gray");
+  EXPECT_EQ(nearest_name("Grey", words), "gray");
+}
+
+TEST(NearestName, OfEquallyNearOnesIsTheFirst) {
+  const std::string_view words[] = {"bumps", "bmp"}, turned[] = {"bmp", "bumps"};
+  EXPECT_EQ(nearest_name("bump", words), "bumps");
+  EXPECT_EQ(nearest_name("bump", turned), "bmp");
+}
+
 }  // namespace
 }  // namespace lute::test

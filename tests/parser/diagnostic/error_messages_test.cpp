@@ -25,7 +25,7 @@ const std::set<std::string> kNotInScenes = {
     "Pigment and pattern functions need the engine, which is not connected.",   // the same
     "Cannot open input file '",                                                 // tests/app
     "version",                                                                  // a code: the message is put together
-    "domain", "missing-semicolon", "bad-file",                                  // codes as well
+    "domain", "missing-semicolon", "bad-file", "scene-error",                   // codes as well
     "Reading behind an error takes too long.",                                  // not told
     "This cannot be used as a function.",                                       // guards a table
 };

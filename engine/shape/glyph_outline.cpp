@@ -1,8 +1,10 @@
 #include "engine/shape/glyph_outline.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include <ft2build.h>
@@ -10,6 +12,7 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 #include FT_TRUETYPE_TABLES_H
+#include FT_TRUETYPE_TAGS_H
 
 #include <glm/common.hpp>
 
@@ -63,6 +66,40 @@ FT_UInt glyph_index(FT_Face face, char16_t code) {
   if (index == 0 && code < 256 && face->charmap != nullptr && FT_Get_CMap_Format(face->charmap) == 4)
     return FT_Get_Char_Index(face, 0xF000u + code);
   return index;
+}
+
+// Two bytes of a font's table; `complete` becomes false where the table ends before.
+std::int16_t word_at(FT_Face face, FT_ULong table, FT_Long offset, bool& complete) {
+  FT_Byte bytes[2] = {0, 0};
+  FT_ULong length = 2;
+  if (FT_Load_Sfnt_Table(face, table, offset, bytes, &length) != 0) complete = false;
+  return static_cast<std::int16_t>(bytes[0] << 8 | bytes[1]);
+}
+
+// What a font says of a glyph, in its own units. The box may be wrong: FreeType's is that of the outline.
+struct StatedGlyph {
+  FT_Long bearing = 0;  // of the box's left side from the pen
+  FT_Long x_min = 0, y_min = 0, x_max = 0, y_max = 0;
+};
+
+// None where there is no such glyph of its own: blanks, glyphs put together from others, fonts that are not TrueType.
+std::optional<StatedGlyph> stated_glyph(FT_Face face, FT_UInt index) {
+  const auto* head = static_cast<const TT_Header*>(FT_Get_Sfnt_Table(face, FT_SFNT_HEAD));
+  const auto* metrics = static_cast<const TT_HoriHeader*>(FT_Get_Sfnt_Table(face, FT_SFNT_HHEA));
+  FT_ULong glyf_length = 0;
+  if (head == nullptr || metrics == nullptr || FT_Load_Sfnt_Table(face, TTAG_glyf, 0, nullptr, &glyf_length) != 0) return std::nullopt;
+  bool complete = true;
+  const auto word = [&](FT_ULong table, FT_Long offset) { return FT_Long{word_at(face, table, offset, complete)}; };
+  const auto place = [&](FT_Long i) {
+    if (head->Index_To_Loc_Format == 0) return 2 * (word(TTAG_loca, 2 * i) & 0xffff);
+    return (word(TTAG_loca, 4 * i) & 0xffff) << 16 | (word(TTAG_loca, 4 * i + 2) & 0xffff);
+  };
+  const FT_Long start = place(index);
+  if (place(FT_Long{index} + 1) <= start || word(TTAG_glyf, start) < 0) return std::nullopt;
+  const FT_Long pairs = metrics->number_Of_HMetrics, i = index;
+  const StatedGlyph result{word(TTAG_hmtx, i < pairs ? 4 * i + 2 : 4 * pairs + 2 * (i - pairs)), word(TTAG_glyf, start + 2),
+                           word(TTAG_glyf, start + 4), word(TTAG_glyf, start + 6), word(TTAG_glyf, start + 8)};
+  return complete ? std::optional(result) : std::nullopt;
 }
 
 // Collects an outline, in units of the em.
@@ -161,14 +198,30 @@ std::vector<GlyphOutline> lay_out_text(std::string_view font, std::u16string_vie
     if (FT_Load_Glyph(face.get(), index, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0) continue;
     FT_GlyphSlot slot = face->glyph;
     const double advance = scale * static_cast<double>(slot->metrics.horiAdvance);
-    const double bearing = scale * static_cast<double>(slot->metrics.horiBearingX);  // FreeType puts the outline there
+    const FT_Glyph_Metrics& drawn = slot->metrics;
+    StatedGlyph stated{drawn.horiBearingX, drawn.horiBearingX, drawn.horiBearingY - drawn.height, drawn.horiBearingX + drawn.width,
+                       drawn.horiBearingY};
+    if (const auto own = stated_glyph(face.get(), index)) stated = *own;
+    const double bearing = scale * static_cast<double>(stated.bearing);  // FreeType puts the left side of the stated box there
+    // The glyph begins where its outline does, should that leave the box.
+    const double outside = scale * static_cast<double>(std::max<FT_Long>(0, stated.bearing - drawn.horiBearingX));
     FT_Vector kern{0, 0};
     if (!first && FT_HAS_KERNING(face.get())) FT_Get_Kerning(face.get(), before, index, FT_KERNING_UNSCALED, &kern);
     const dvec2 kerned = scale * dvec2(static_cast<double>(kern.x), static_cast<double>(kern.y));
     GlyphOutline glyph;
-    Tracer tracer{glyph, scale / (1 << kOutlineShift), first ? dvec2(-bearing, 0) : pen + kerned};
+    const dvec2 place = (first ? dvec2(-bearing, 0) : pen + kerned) + dvec2(outside, 0);
+    Tracer tracer{glyph, scale / (1 << kOutlineShift), place};
     trace_outline(slot->outline, tracer);
-    if (!glyph.pieces.empty()) glyphs.push_back(std::move(glyph));
+    const dvec2 corner = place + dvec2(bearing, 0);
+    const dvec2 lo(0, static_cast<double>(stated.y_min));
+    const dvec2 hi(static_cast<double>(stated.x_max - stated.x_min), static_cast<double>(stated.y_max));
+    glyph.stated_lo = corner + scale * lo;
+    glyph.stated_hi = corner + scale * hi;
+    if (!glyph.pieces.empty()) {
+      glyph.stated_lo = glm::min(glyph.stated_lo, glyph.lo);
+      glyph.stated_hi = glm::max(glyph.stated_hi, glyph.hi);
+    }
+    glyphs.push_back(std::move(glyph));
     pen.x += first ? advance - bearing : advance + kerned.x;
     pen += offset;
     before = index;

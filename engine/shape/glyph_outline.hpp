@@ -21,12 +21,13 @@ struct OutlinePiece {
 struct GlyphOutline {
   std::vector<OutlinePiece> pieces;
   dvec2 lo{0}, hi{0};  // their box; meaningless without pieces
+  dvec2 stated_lo{0}, stated_hi{0};  // the box that the font states, about the outline too; a point where there is none
 };
 
 // Throws std::runtime_error ("Cannot read TrueType font file.") if `font` is none.
 void check_font(std::string_view font);
 
-// Glyphs side by side, in units of the font's em, the baseline at y = 0. Throws as check_font does. `offset` is added after each
+// Glyphs side by side, blanks among them, in units of the font's em, the baseline at y = 0. Throws as check_font does. `offset` is added after each
 // character; `unicode_first`: which character table is preferred.
 std::vector<GlyphOutline> lay_out_text(std::string_view font, std::u16string_view text, const dvec2& offset, bool unicode_first);
 

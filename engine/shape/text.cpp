@@ -138,6 +138,7 @@ class Lettering final : public ScannedShape<Lettering> {
 
 std::unique_ptr<Shape> build(const Text& text, const SharedTransform& to_world, BuildContext&) {
   auto glyphs = lay_out_text(*text.font, text.string, dvec2(text.offset.x, text.offset.y), text.unicode_first);
+  std::erase_if(glyphs, [](const GlyphOutline& glyph) { return glyph.pieces.empty(); });
   return std::make_unique<Lettering>(std::move(glyphs), text.depth, Transform::rotate(dvec3(0.001)).then(to_world));
 }
 

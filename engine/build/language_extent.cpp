@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "engine/shape/axis_frame.hpp"
+#include "engine/shape/glyph_outline.hpp"
+#include "engine/shape/quadric_bounds.hpp"
 
 namespace lute {
 
@@ -139,6 +141,42 @@ std::optional<Aabb> own_rule(const SphereSweep& s, const Transform& transform) {
   return moves_balls ? stored(box) : moved(stored(box), transform);
 }
 
+// Around the control points, which the surface does not reach.
+std::optional<Aabb> own_rule(const BicubicPatch& s, const Transform& transform) {
+  Aabb box;
+  for (const auto& row : s.points) {
+    for (const dvec3& point : row) box.join(transform.point(point));
+  }
+  return stored(box);
+}
+
+std::optional<Aabb> own_rule(const JuliaFractal& s, const Transform& transform) {
+  const double radius = search_radius(s);
+  return moved(stored({dvec3(-radius), dvec3(radius)}), transform);
+}
+
+// Each character is an object of its own, with the box that its font states; that of a blank is a point.
+std::optional<Aabb> own_rule(const Text& s, const Transform& transform) {
+  constexpr double kMargin = 1e-6;  // in front and behind
+  const Transform turned = Transform::rotate(dvec3(0.001));  // as every text is
+  Aabb box;
+  for (const GlyphOutline& glyph : lay_out_text(*s.font, s.string, dvec2(s.offset.x, s.offset.y), s.unicode_first)) {
+    Aabb own;
+    own.join(dvec3(glyph.stated_lo, -kMargin));
+    own.join(dvec3(glyph.stated_hi, s.depth + kMargin));
+    box.join(stored(own));
+  }
+  return moved(stored(turned.box(box)), transform);
+}
+
+// Only what is an ellipsoid along the axes as it is declared has a box, whichever side of it is inside.
+std::optional<Aabb> own_rule(const Quadric& s, const Transform& transform) {
+  if (s.mixed != dvec3(0)) return everything();
+  Quadric positive = s;
+  if (s.squares.x < 0) positive = {-s.squares, -s.mixed, -s.linear, -s.constant};
+  return moved(stored(ellipsoid_bounds(positive, Transform())), transform);
+}
+
 template <class S>
 std::optional<Aabb> own_rule(const S&, const Transform&) {
   return std::nullopt;
@@ -146,8 +184,8 @@ std::optional<Aabb> own_rule(const S&, const Transform&) {
 
 // Moved with their numbers, not with a matrix beside them; or without a box.
 template <class S>
-constexpr bool kMovesItsNumbers = std::is_same_v<S, Triangle> || std::is_same_v<S, SmoothTriangle> || std::is_same_v<S, BicubicPatch> ||
-                                  std::is_same_v<S, Plane> || std::is_same_v<S, Quadric> || std::is_same_v<S, Poly>;
+constexpr bool kMovesItsNumbers = std::is_same_v<S, Triangle> || std::is_same_v<S, SmoothTriangle> ||
+                                  std::is_same_v<S, Plane> || std::is_same_v<S, Poly>;
 
 Aabb shape_box(const Object& object, const AnyShape& shape, const TightBox& tight_box) {
   Object bare;
@@ -180,7 +218,46 @@ std::optional<Aabb> half_space(const Object& object, bool inverted) {
   return std::nullopt;
 }
 
-bool is_quadric(const Object& object) { return object.shape_if<Quadric>() != nullptr; }
+// What a region leaves of a quadric along the axes that is round, or tapers, about one of them.
+Aabb within(QuadraticForm form, const Aabb& region) {
+  constexpr double kRounded = 1e-9;
+  dvec3 squares(form.s[0][0], form.s[1][1], form.s[2][2]);
+  const double zero = kRounded * std::max({std::abs(squares.x), std::abs(squares.y), std::abs(squares.z)});
+  if (std::max({std::abs(form.s[0][1]), std::abs(form.s[0][2]), std::abs(form.s[1][2])}) > zero) return region;
+  if ((squares.x < -zero) + (squares.y < -zero) + (squares.z < -zero) >= 2) {  // whichever side is inside
+    form = {-form.s, -form.v, -form.c};
+    squares = -squares;
+  }
+  int rising = 0, falling = 0;
+  double center = form.c;  // the form there
+  std::optional<int> vertex_axis;
+  for (int axis = 0; axis < 3; ++axis) {
+    rising += squares[axis] > zero ? 1 : 0;
+    falling += squares[axis] < -zero ? 1 : 0;
+    if (std::abs(squares[axis]) > zero) center -= form.v[axis] * form.v[axis] / squares[axis];
+    else if (std::abs(form.v[axis]) > zero) vertex_axis = axis;
+  }
+  if (rising < 2 || (!vertex_axis && center > zero)) return region;
+  if (falling > 0 && center < -zero) form.c += -1 - center;  // a hyperboloid is bounded as if its constant were -1
+  Aabb box = region;
+  if (vertex_axis) {
+    const double slope = form.v[*vertex_axis], vertex = std::abs(center) > zero ? -0.5 * center / slope : 0;
+    double& end = slope > 0 ? box.hi[*vertex_axis] : box.lo[*vertex_axis];
+    end = slope > 0 ? std::min(end, vertex) : std::max(end, vertex);
+  }
+  return bounds_within(form, 0, box);
+}
+
+QuadraticForm moved(const QuadraticForm& f, const Transform& transform) {
+  const dmat3& m = transform.inverse_linear;
+  const dvec3& t = transform.inverse_translation;
+  const dmat3 back = glm::transpose(m);
+  return {back * f.s * m, back * (f.s * t + f.v), glm::dot(t, f.s * t) + 2 * glm::dot(f.v, t) + f.c};
+}
+
+Aabb within(const Quadric& quadric, const Transform& transform, const Aabb& region) {
+  return region.empty() ? region : within(moved(quadratic_form(quadric), transform), region);
+}
 
 Aabb csg_box(const Csg& csg, const TightBox& tight_box) {
   if (csg.operation == CsgOperation::kUnion || csg.operation == CsgOperation::kMerge || csg.operation == CsgOperation::kLightGroup) {
@@ -191,20 +268,17 @@ Aabb csg_box(const Csg& csg, const TightBox& tight_box) {
     return stored(box);
   }
   Aabb box = everything();
-  bool quadrics = false;  // are bounded within the others
+  std::vector<const Object*> quadrics;  // are bounded within the others
   for (std::size_t i = 0; i < csg.children.size(); ++i) {
     const Object& child = *csg.children[i];
     const bool inverted = child.inverse != (csg.operation == CsgOperation::kDifference && i > 0);
     if (const auto half = half_space(child, inverted)) box = box.intersection(*half);
-    else if (!inverted) box = box.intersection(language_extent(child, tight_box));
-    quadrics = quadrics || (!inverted && is_quadric(child));
+    else if (inverted) continue;
+    else if (child.shape_if<Quadric>() != nullptr) quadrics.push_back(&child);
+    else box = box.intersection(language_extent(child, tight_box));
   }
-  if (quadrics && infinite(box)) {
-    Object bare;
-    bare.geometry = Shared(csg);
-    box = box.intersection(tight_box(bare));
-  }
-  return stored(box);
+  for (const Object* child : quadrics) box = within(*child->shape_if<Quadric>(), *child->transform, box);
+  return infinite(box) ? everything() : stored(box);
 }
 
 double volume(const Aabb& box) {
@@ -212,12 +286,17 @@ double volume(const Aabb& box) {
   return side.x * side.y * side.z;
 }
 
-// The boxes of what bounds or clips an object take the place of its own when they are smaller.
-Aabb limited(const Aabb& box, const std::vector<ObjectPtr>& limits, const TightBox& tight_box) {
+// The boxes of what bounds or clips an object take the place of its own when they are smaller; a quadric is bounded within them.
+Aabb limited(const Aabb& box, const Object& object, const std::vector<ObjectPtr>& limits, const TightBox& tight_box) {
   Aabb common = everything();
   for (const ObjectPtr& limit : limits) {
-    if (!limit->inverse) common = common.intersection(language_extent(*limit, tight_box));
+    if (const auto half = half_space(*limit, limit->inverse)) common = common.intersection(*half);
+    else if (!limit->inverse) common = common.intersection(language_extent(*limit, tight_box));
   }
+  const auto* quadric = limits.empty() ? nullptr : object.shape_if<Quadric>();
+  const bool turned = (object.transform->kinds & ~(Transform::kTranslate | Transform::kScale | Transform::kUniformScale)) != 0;
+  if (quadric != nullptr && (infinite(box) || !turned)) common = within(*quadric, *object.transform, common);
+  if (quadric != nullptr && (common.empty() || infinite(common))) return box;
   return volume(common) < volume(box) ? stored(common) : box;
 }
 
@@ -232,7 +311,8 @@ Aabb language_extent(const Object& object, const TightBox& tight_box) {
   } else {
     return everything();
   }
-  return limited(limited(box, object.extras->bounded_by, tight_box), object.extras->clipped_by, tight_box);
+  box = limited(box, object, object.extras->bounded_by, tight_box);
+  return limited(box, object, object.extras->clipped_by, tight_box);
 }
 
 }  // namespace lute

@@ -42,7 +42,7 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
   JuliaSet(const JuliaFractal& fractal, const SharedTransform& to_world)
       : f_(fractal), steps_(static_cast<std::size_t>(fractal.max_iteration)), least_step_(1 / fractal.precision), to_world_(to_world) {
     quaternion_ = f_.algebra == Algebra::kQuaternion;
-    radius_ = quaternion_ ? std::min(2.0, 1 + glm::length(f_.constant) + 1e-7) : 4;
+    radius_ = search_radius(f_);
     escape_ = quaternion_ ? radius_ * radius_ + 1e-7 : 16;
     squares_ = !quaternion_ && f_.function == Function::kSqr;
     by_function_ = !quaternion_ && f_.function >= Function::kExp;
@@ -350,6 +350,10 @@ class JuliaSet final : public ScannedShape<JuliaSet> {
 };
 
 }  // namespace
+
+double search_radius(const JuliaFractal& fractal) {
+  return fractal.algebra == JuliaFractal::Algebra::kQuaternion ? std::min(2.0, 1 + glm::length(fractal.constant) + 1e-7) : 4;
+}
 
 std::unique_ptr<Shape> build(const JuliaFractal& fractal, const SharedTransform& to_world, BuildContext&) {
   return std::make_unique<JuliaSet>(fractal, to_world);

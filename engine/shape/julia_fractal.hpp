@@ -41,6 +41,9 @@ struct JuliaFractal {
   double slice_distance = 0;
 };
 
+// Of the ball about the origin that the set is looked for in, before it is moved.
+double search_radius(const JuliaFractal& fractal);
+
 std::unique_ptr<Shape> build(const JuliaFractal& fractal, const SharedTransform& to_world, BuildContext& context);
 
 }  // namespace lute

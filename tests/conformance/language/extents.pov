@@ -54,6 +54,52 @@ E("scaled cubic sweep", O)
 #declare O = object { sphere { 0, 1 } clipped_by { box { 0, 1 } } } E("clipped", O)
 #declare O = object { sphere { 0, 1 } bounded_by { box { 0, .5 } } } E("bounded", O)
 #declare O = light_source { 0, 1 } E("light", O)
+#declare O = quadric { <1, 1, 1>, 0, 0, -1 } E("quadric", O)
+E("moved quadric", object { O translate <1, 2, 3> scale <1, 2, 3> }) E("turned quadric", object { O rotate 45*z })
+E("tilted quadric", object { O scale <1, 2, 3> rotate <10, 20, 30> })
+E("quadric inside out", quadric { <-1, -1, -1>, 0, 0, 1 }) E("quadric off centre", quadric { <1, 2, 1>, 0, <1, 2, 3>, -1 rotate 45*z })
+E("mixed quadric", quadric { <1, 2, 1>, <.5, 0, 0>, 0, -1 })
+#macro Q(Name, Thing)
+  E(concat(Name, " in a box"), intersection { object { Thing } box { -3, 3 } })
+  E(concat(Name, " turned in a box"), intersection { object { Thing rotate 90*x } box { -3, 3 } })
+  E(concat(Name, " in a turned box"), intersection { object { Thing } box { -3, 3 } rotate 45*z })
+  E(concat(Name, " between planes"), intersection { object { Thing } plane { y, 1 } plane { -y, 1 } })
+  E(concat(Name, " clipped by planes"), object { Thing clipped_by { plane { y, 1 } plane { -y, 1 } } })
+  E(concat(Name, " clipped by a box"), object { Thing clipped_by { box { -3, 3 } } })
+#end
+Q("round", quadric { <1, 4, 1>, 0, 0, -1 })
+Q("cylinder", quadric { <1, 0, 1>, 0, 0, -1 })
+Q("cylinder inside out", quadric { <-1, 0, -1>, 0, 0, 1 })
+Q("moved cylinder", quadric { <1, 0, 1>, 0, 0, -1 translate <.5, .25, .1> })
+Q("cone", quadric { <1, -1, 1>, 0, 0, 0 })
+Q("hyperboloid", quadric { <1, -1, 1>, 0, 0, -1 })
+Q("wide hyperboloid", quadric { <1, -1, 1>, 0, 0, -4 })
+Q("two sheets", quadric { <-1, 1, -1>, 0, 0, -1 })
+Q("paraboloid", quadric { <1, 0, 1>, 0, -y, 0 })
+Q("saddle", quadric { <1, 0, -1>, 0, -y, 0 })
+Q("slab", quadric { <0, 1, 0>, 0, 0, -.25 })
+E("planes", intersection { plane { y, 1 } plane { -y, 1 } plane { x, 2 } })
+#macro Patch(Type)
+  bicubic_patch {
+    type Type flatness .1 u_steps 3 v_steps 3
+    #for (I, 0, 3) #for (J, 0, 3) #if (I + J > 0) , #end <I, J, sin(I*J)> #end #end
+  }
+#end
+#for (Type, 0, 1)
+  E("patch", Patch(Type)) E("moved patch", object { Patch(Type) scale <1, -2, 3> translate 1 })
+  E("turned patch", object { Patch(Type) rotate <20, 30, 40> scale <1, 2, 3> })
+#end
+#declare O = julia_fractal { <-.08, 0, -.8, -.03> } E("fractal", O) E("turned fractal", object { O rotate 45*z translate x })
+E("large fractal", julia_fractal { <.9, 0, -.8, -.03> cube }) E("cubic fractal", julia_fractal { <.1, .5, -.2, 0> cube })
+#macro X(Font, String)
+  E(concat("text ", Font, " '", String, "'"), text { ttf Font String .25, 0 })
+#end
+X("timrom.ttf", "lute") X("timrom.ttf", "lute ") X("timrom.ttf", "lute    ") X("timrom.ttf", "  lute") X("timrom.ttf", " ")
+X("timrom.ttf", "") X("timrom.ttf", "a b") X("timrom.ttf", "j@*Y") X("timrom.ttf", "l*") X("cyrvetic.ttf", "j") X("crystal.ttf", " a ")
+E("text with offset", text { ttf "timrom.ttf" "  lute " .25, <.1, -.2, .3> })
+E("turned text", text { ttf "timrom.ttf" "  lute  " .25, 0 rotate <20, 30, 40> translate x })
+E("text with depth", text { ttf "timrom.ttf" " A" 100, 0 }) E("text turned inside out", text { ttf "timrom.ttf" "lute" -1, 0 })
+E("fractal of four", julia_fractal { <.1, 0, -.2, 0> hypercomplex sqr }) E("sine fractal", julia_fractal { <.1, 0, -.2, 0> hypercomplex sin })
 
 #declare Axis = array[6] { x, -x, y, -y, z, -z }
 #macro T(Name, Thing, From, To)

@@ -7,8 +7,9 @@ namespace {
 
 double height(const ImageMapping& mapping, const dvec2& position) {
   const Image& image = *mapping.image;
-  if (mapping.use_index && image.is_palette())
-    return interpolate_pixels(mapping, position, [&](int column, int row) { return static_cast<double>(image.index(column, row)); });
+  // Indices are whole numbers between pixels too.
+  const auto index = [&](int column, int row) { return static_cast<double>(image.index(column, row)); };
+  if (mapping.use_index && image.is_palette()) return std::floor(interpolate_pixels(mapping, position, index));
   const Color mean = interpolate_pixels(mapping, position, [&](int column, int row) { return Color{image.pixel(column, row).rgb}; });
   return static_cast<double>(grey(mean.rgb));
 }

@@ -140,7 +140,7 @@ JuliaFractal parse_julia_fractal(Reader& reader) {
     } else if (reader.accept(Word::kMaxIteration)) {
       fractal.max_iteration = std::max(1, reader.integer());
       if (fractal.max_iteration > JuliaFractal::kMostIterations)
-        reader.error("max_iteration is too large: at most " + std::to_string(JuliaFractal::kMostIterations) + ".");
+        reader.error("max_iteration is too large: the limit is " + std::to_string(JuliaFractal::kMostIterations) + ".");
     } else if (reader.accept(Word::kPrecision)) {
       fractal.precision = std::max(1.0, reader.number());
     } else if (reader.accept(Word::kSlice)) {

@@ -5,8 +5,8 @@
 
 #include "engine/build/geometry_answers.hpp"
 #include "engine/texture/texture_functions.hpp"
+#include "parser/machine_memory.hpp"
 #include "parser/parse.hpp"
-#include "parser/resource_meter.hpp"
 
 inline lute::ParseResult read_scene(std::string text) {
   lute::GeometryAnswers geometry;

@@ -1,7 +1,6 @@
 // Shapes and combinations. Source: specification chapter 20 §6-7.
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 
 #include "engine/build/scene_builder.hpp"
 
@@ -160,7 +159,7 @@ void SceneBuilder::add_part(const Object& object, const Context& own, CsgKind ou
     return;
   }
   SolidList inner = children(object, *csg, own);  // none, if it is nothing but lights: every point is inside
-  std::ranges::move(inner | std::views::reverse, std::back_inserter(parts));
+  std::move(inner.rbegin(), inner.rend(), std::back_inserter(parts));
 }
 
 SceneBuilder::Context SceneBuilder::context_for_children(const Object&, const Csg& csg, const Context& own) {
